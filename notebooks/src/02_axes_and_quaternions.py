@@ -1,28 +1,24 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 02 · Axes and quaternions
 #
-# **Which way is forward?** · about 75 minutes · builds on 01
+# **Which way is forward?** · about 45 minutes · builds on 01
 #
 # After this chapter you can
 #
-# - point along x, y and z of any robot with your eyes shut, and say the sign of a rotation before the robot moves,
-# - read roll, pitch and yaw, and know why their order matters,
-# - write the quaternion of a rotation, and tell a good one from four kinds of bad ones,
-# - convert a point between a camera's optical frame and its body frame,
-# - look at a point cloud that is rotated by 90°, and name the one line to change.
+# - **Part 1, axes:** point along x, y and z of any robot, and say the sign of a rotation before the robot moves,
+# - **Part 2, quaternions:** write the quaternion of a rotation, and tell a good one from four kinds of bad ones,
+# - **Part 3, the camera:** convert a point or a pixel from a camera's optical frame to the robot, and name the one line to change if a point cloud is rotated by 90°.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 02 · 좌표축과 쿼터니언
 #
-# **어느 축이 앞이고, 회전은 어떻게 적을까요?** · 약 75분 · 01장을 바탕으로 합니다
+# **어느 축이 앞이고, 회전은 어떻게 적을까요?** · 약 45분 · 01장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 회전각의 부호를 말할 수 있습니다.
-# - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명할 수 있습니다.
-# - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
-# - 카메라 광학 좌표계(optical frame) 기준의 점을 카메라 본체 기준으로 바꾸고, 거꾸로도 바꿀 수 있습니다.
-# - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
+# - **1부, 좌표축:** 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 회전각의 부호를 말할 수 있습니다.
+# - **2부, 쿼터니언:** 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
+# - **3부, 카메라:** 카메라 광학 좌표계(optical frame) 기준의 점이나 픽셀을 로봇 기준으로 바꾸고, 90° 누워 있는 포인트 클라우드를 보고 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask everyone to stand up and point forward, left, up: x, y, z. Then ask them to imagine they are a camera and do it again.
@@ -35,57 +31,49 @@
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
 #
-# You need Python. These lines are all that you need of chapter 01. If you have read it, skip them:
+# You need Python, and this from chapter 01:
 #
-# - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
-# - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
-# - A message names its frame in `header.frame_id`.
-# - A [[transform]] is the pose of one frame, the [[child frame|child]], in another, the [[parent frame|parent]]. It has two parts: a translation (metres) and a rotation. **This chapter is about the rotation.**
+# - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`. A message names its frame in `header.frame_id`.
+# - A [[transform]] is the pose of one frame, the [[child frame|child]], in another, the [[parent frame|parent]]: a translation (metres) and a rotation. **This chapter is about the rotation.**
 # - [[tf2|TF2]], TF for short, is the part of ROS 2 that stores all transforms and does this arithmetic for you. RViz is ROS 2's 3D visualiser.
-# - A [[urdf]] is the file that describes where a robot's parts are mounted.
-# - Our robot has a camera: `camera_link` is at (0.10, 0, 0.30) in `base_link`, 10 cm in front of the robot's centre and 30 cm above it.
+# - Our robot has a camera: `camera_link` is at (0.10, 0, 0.30) in `base_link`, 10 cm ahead and 30 cm up.
 #
-# In code, a name contains both frames, target first: `base_T_camera` transforms coordinates of the camera into the base, `base_p_mug` is a point in the base.
-# `base_T_camera.apply(camera_p_mug)` transforms a point, and `@` chains two transforms. Chapter 03 explains this; here you only need to read it.
+# In code, a name contains both frames: `base_T_camera.apply(camera_p_mug)` transforms a point from the camera into the base. `@` chains two transforms. Chapter 03 explains both.
 # Whatever is called `lesson.…` belongs to this workbook: it draws, and formats numbers (`fmt_all`).
 
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 시작하기 전에 알아 둘 것
 #
-# 파이썬만 알면 됩니다. 01장에서 필요한 내용은 다음이 전부입니다. 01장을 읽었다면 건너뛰어도 됩니다.
+# 파이썬, 그리고 01장의 다음 내용만 알면 됩니다.
 #
-# - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
-# - 값, 좌표계, 시각이 모두 있어야 비로소 점의 위치를 알 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
-# - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
+# - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다. 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
 # - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있고 어느 방향을 향하는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 시각화 도구입니다.
-# - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
-# 코드에서는 이름에 두 좌표계를 모두 적되, 결과의 기준이 되는 좌표계를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 바꾸고, `base_p_mug`는 base 기준의 점입니다.
-# `base_T_camera.apply(camera_p_mug)`는 점의 좌표를 다른 좌표계 기준으로 바꾸고, `@`는 변환 둘을 합성합니다. 자세한 이야기는 03장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
+# 코드에서는 이름에 두 좌표계를 모두 적습니다. `base_T_camera.apply(camera_p_mug)`는 카메라 기준의 점을 base 기준으로 바꾸고, `@`는 변환 둘을 합성합니다. 둘 다 03장에서 자세히 다룹니다.
 # `lesson.…`으로 부르는 것은 이 워크북의 도구입니다. 그림을 그리고, 숫자를 보기 좋게 적습니다(`fmt_all`).
 
 # %% name="load" slide="skip"
 # %load_ext tflab
 import math
 
+import numpy as np
 from tflab.core import Transform
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Half a day, lost in a contest
 #
-# A robot contest, in simulation. Cameras look at a bench, a [[detector]] finds the parts, an arm picks them up.
-# One team used a ready-made object detector.
-# It found the parts, and their positions were wrong.
+# In a simulated robot contest, cameras look at a bench, a [[detector]] finds the parts, and an arm picks them up.
+# One team used a ready-made detector. It found the parts, and their positions were wrong.
 #
-# The mathematics was right. The detector was right. The camera was right.
+# The mathematics, the detector and the camera were right.
 # The header of the images named the frame of the camera's **body**, and the detector's numbers were in the camera's **optical** frame.
-# The team wrote down what it had cost them: about half a day, during the competition.
+# It cost the team about half a day, during the competition.
 # ([usnistgov/ARIAC, issue 345](https://github.com/usnistgov/ARIAC/issues/345). The organisers added the missing frame.)
 #
-# Here is the same mistake on our robot: the true position of one part, and the position for which an arm would reach.
+# Here is the same mistake on our robot.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 대회에서 잃은 반나절
@@ -102,7 +90,7 @@ from tflab.workbook import lesson
 # 우리 로봇에 같은 일이 일어나면 이렇게 됩니다. 물건 하나가 실제로 있는 곳과, 로봇 팔이 뻗는 곳입니다.
 # *그림 읽기:* the part = 물건, where the arm goes = 로봇 팔이 뻗는 곳.
 
-# %% name="story-picture" slide="subslide"
+# %% name="story-picture" tags=["collapsed"] slide="subslide"
 base_T_camera = Transform((0.10, 0.0, 0.30))
 base_T_optical = base_T_camera @ lesson.BODY_T_OPTICAL
 detected = (0.25, 0.15, 1.2)  # what the detector said [m]
@@ -117,14 +105,12 @@ lesson.draw_scene(
 # %% [markdown] lang="en" name="story-after"
 # The grey circle is where the arm would go: up, above the camera, into the air.
 # No error was raised. For the mathematics, one frame is as good as another.
-# (The frame in which the numbers were really expressed is not drawn. It is at the camera's position, but rotated. You meet it further down.)
-# By the end of this page you can find this fault in one minute, with one command.
+# By the end of Part 3 you can find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
 # 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
 # 오류는 하나도 나지 않았습니다. 헤더에 어느 좌표계가 적혀 있든 TF는 그대로 계산합니다.
-# (이 숫자의 실제 기준 좌표계는 그림에 없습니다. 그 좌표계는 카메라와 같은 자리에 있지만 회전해 있으며, 뒤에서 다룹니다.)
-# 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
+# 3부를 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Let the picture stand for ten seconds before you say anything. Ask: "which line of code is wrong?" None of them is. The header contains the wrong word.
@@ -132,100 +118,17 @@ lesson.draw_scene(
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 그림을 띄운 채 10초쯤 기다립니다. 그러고 나서 “어느 코드 줄이 틀렸습니까?”라고 묻습니다. 틀린 코드는 없습니다. 헤더에 적힌 단어 하나가 틀렸습니다.
 
-# %% [markdown] lang="en" name="predict" slide="slide"
-# ## Predict
-#
-# A mug stands 2 m straight ahead of the camera. In the image it is exactly in the middle.
-#
-# **Write down two sets of coordinates on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
-#
-# You may guess, but write the guess down. If you only remember it, your memory changes when you see the answer.
-
-# %% [markdown] lang="ko" name="predict" slide="slide"
-# ## 예측해 봅시다
-#
-# 머그컵이 카메라 정면 2 m 앞에 있습니다. 영상에서는 정확히 한가운데에 보입니다.
-#
-# **지금 종이에 좌표를 두 개 적어 보세요.** 머그컵은 `camera_link` 기준으로 어디에 있을까요? `camera_optical_frame` 기준으로는 어디에 있을까요?
-#
-# 짐작이어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 정답에 맞추어 바뀌기 쉽습니다.
-
-# %% [markdown] lang="en" name="predict-how" slide="skip"
-# Have you written them down? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
-
-# %% [markdown] lang="ko" name="predict-how" slide="skip"
-# 적었으면 다음 셀을 실행해 보세요. 내 워크북에서는 예측의 답이 나오는 셀은 실행하기 전까지 비어 있습니다.
-
-# %% name="predict-run" tags=["predicted"] slide="fragment"
-mug = lesson.straight_ahead(2.0)
-print("in camera_link          ", lesson.fmt_all(mug))
-print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
-
-# %% [markdown] lang="en" name="predict-replies" slide="fragment"
-# What did you write for the second one?
-#
-# <details><summary>(2, 0, 0) again</summary>
-#
-# That is the mistake of the contest. It is one point in two frames: the coordinates must differ, because the axes do.
-#
-# </details>
-# <details><summary>(0, 0, −2)</summary>
-#
-# You know that depth is z, but your z points backward. Computer graphics (OpenGL) does it that way. ROS cameras look along **+z**.
-#
-# </details>
-# <details><summary>(0, −2, 0)</summary>
-#
-# You used the right rotation in the wrong direction: from the optical frame to the body frame. Here you need it from the body to the optical frame. Chapter 03 has a sentence that prevents this mistake.
-#
-# </details>
-# <details><summary>(0, 0, 2)</summary>
-#
-# Right. Keep the paper: you will need to say *why* at the end.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="predict-replies" slide="fragment"
-# 두 번째 좌표를 무엇이라고 적었습니까?
-#
-# <details><summary>똑같이 (2, 0, 0)</summary>
-#
-# 대회에서 일어난 바로 그 실수입니다. 점은 하나지만 좌표계는 둘입니다. 축이 다르므로 숫자도 달라야 합니다.
-#
-# </details>
-# <details><summary>(0, 0, −2)</summary>
-#
-# 깊이가 z라는 것은 알고 있지만, z가 뒤를 향하고 있습니다. 컴퓨터 그래픽스(OpenGL)에서는 그렇게 씁니다. ROS의 카메라는 **+z** 방향을 봅니다.
-#
-# </details>
-# <details><summary>(0, −2, 0)</summary>
-#
-# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 여기서는 본체 기준의 점을 영상 기준으로 바꾸어야 합니다. 목표와 원본을 구별하는 방법은 03장에서 배웁니다.
-#
-# </details>
-# <details><summary>(0, 0, 2)</summary>
-#
-# 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Collect the answers on the board before you run the cell, with a count for each. Leave them there: you need them at the end.
-
-# %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 셀을 실행하기 전에 답을 칠판에 모으고 각각 몇 명인지 적습니다. 지우지 마십시오. 마지막에 다시 봅니다.
-
 # %% [markdown] lang="en" name="body-axes" slide="slide"
-# ## The body: x forward, y left, z up
+# ## Part 1 · The body: x forward, y left, z up
 #
-# By convention, ROS robots use these axes. The convention is called [[rep-103]].
+# ROS robots use these axes, by a convention called [[rep-103]].
 # Lengths are in metres, angles in radians.
 #
 # Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger, stretched out from the palm, points left (y).
-# With the left hand it points right. That is why the hand matters.
+# With the left hand it points right.
 
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
-# ## 본체: x는 앞, y는 왼쪽, z는 위
+# ## 1부 · 본체: x는 앞, y는 왼쪽, z는 위
 #
 # ROS 로봇은 관례에 따라 이 축을 씁니다. 이 관례의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
@@ -233,7 +136,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # **오른손**을 권총 모양으로 들어 보세요. 검지는 앞(x), 엄지는 위(z), 가운뎃손가락을 손바닥과 직각으로 펴면 왼쪽(y)을 가리킵니다.
 # 왼손으로 하면 오른쪽을 가리킵니다. 그래서 어느 손인지가 중요합니다.
 
-# %% name="body-axes-figure"
+# %% name="body-axes-figure" tags=["collapsed"]
 lesson.draw_body_axes()
 
 # %% [markdown] lang="en" name="body-axes-notes" slide="notes"
@@ -245,34 +148,32 @@ lesson.draw_body_axes()
 # 그 사람에게 y가 어느 쪽인지 묻고, 왜 다른지는 옆 사람들이 찾게 합니다.
 
 # %% [markdown] lang="en" name="body-axes-colours" slide="skip"
-# In every figure of this workbook x is a solid line, y is dashed, z is dotted. The letters are at the tips. ⊙ is an axis that points towards you, ⊗ one that points away from you (the tip and the feathers of an arrow).
-# The colours follow RViz (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
+# In every figure x is a solid line, y is dashed, z is dotted, in RViz's order of colours: red, green, blue. ⊙ is an axis that points towards you, ⊗ one that points away from you.
 
 # %% [markdown] lang="ko" name="body-axes-colours" slide="skip"
-# 이 워크북의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다. ⊙는 보는 사람 쪽으로 나오는 축, ⊗는 반대쪽으로 들어가는 축입니다(화살의 촉과 깃).
-# 색은 RViz의 관례(x, y, z가 빨강, 초록, 파랑)를 따르되, 색을 구별하기 어려운 사람도 알아볼 수 있는 색조로 골랐습니다.
+# 모든 그림에서 x는 실선, y는 파선, z는 점선이고, 색은 RViz처럼 빨강, 초록, 파랑 순서입니다. ⊙는 보는 사람 쪽으로 나오는 축, ⊗는 반대쪽으로 들어가는 축입니다.
 # *그림 읽기:* forward = 앞, left = 왼쪽, up = 위.
 
 # %% [markdown] lang="en" name="signs-predict" slide="slide"
-# ## Say the sign before it moves
+# ### Say the sign before it moves
 #
 # The thumb of the right hand shows the axis, and the fingers curl in the **positive** direction.
 #
 # **Predict.** You send a robot a message with a velocity: `linear.x = 0.5` (half a metre per second forward) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
-# And an aeroplane question: pitch is the rotation about y. With a *positive* pitch, does the nose go up or down?
+# Pitch is the rotation about y. With a *positive* pitch, does the robot's nose go up or down?
 
 # %% [markdown] lang="ko" name="signs-predict" slide="slide"
-# ## 움직이기 전에 부호를 말해 봅시다
+# ### 움직이기 전에 부호를 말해 봅시다
 #
 # 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 <b>양(+)</b>의 회전입니다.
 #
 # **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 0.5 m/s)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 회전할까요, 오른쪽으로 회전할까요?
-# 비행기 문제도 하나 있습니다. y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
+# y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 로봇의 앞머리(기수)는 올라갈까요, 내려갈까요?
 
-# %% name="signs-drive" tags=["predicted"] slide="fragment"
+# %% name="signs-drive" tags=["predicted", "collapsed"] slide="fragment"
 lesson.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
 
-# %% name="signs-hand" tags=["predicted"] slide="subslide"
+# %% name="signs-hand" tags=["predicted", "collapsed"] slide="subslide"
 lesson.draw_right_hand()
 
 # %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
@@ -300,54 +201,104 @@ lesson.draw_right_hand()
 # 그림을 보여 주기 전에 pitch에 대해 손을 들게 합니다. 보통 반반으로 갈리고, 집에 드론이 있는 사람이 틀립니다.
 
 # %% [markdown] lang="en" name="rpy" slide="slide"
-# ## Roll, pitch, yaw
+# ### Roll, pitch, yaw
 #
 # [[roll pitch yaw|Three angles]] describe any rotation: roll about x, then pitch about y, then yaw about z.
 # The three axes are **fixed**: they do not rotate with the robot.
-# URDF's `rpy="..."` and the `--roll --pitch --yaw` of ROS 2's tools mean exactly this.
-#
-# Move one slider at a time, and say aloud what will happen before you let go.
-# The panel also writes the same rotation in two other ways: as a *quaternion*, four numbers, and as a *matrix*, nine. Both are explained further down. For now, watch them change.
+# URDF's `rpy="..."` and the `--roll --pitch --yaw` of ROS 2's tools mean exactly this. (A [[urdf]] is the file that describes where a robot's parts are mounted.)
 
 # %% [markdown] lang="ko" name="rpy" slide="slide"
-# ## Roll, pitch, yaw
+# ### Roll, pitch, yaw
 #
 # [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축 둘레로 roll, 다음에 y축 둘레로 pitch, 다음에 z축 둘레로 yaw만큼 회전시킵니다.
 # 세 축은 **고정**되어 있습니다. 로봇이 회전하는 동안에도 축은 제자리에 있습니다.
-# URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
-#
-# 슬라이더는 한 번에 하나만 움직이고, 움직이기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
-# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 네 개인 *quaternion*과 아홉 개인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 어떻게 바뀌는지만 보십시오.
+# URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다. ([[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.)
 
-# %% name="rpy-panel" tags=["interactive"] slide="subslide"
+# %% [markdown] lang="en" name="order-predict" slide="subslide"
+# **Does the order matter?** Take your phone, screen up, top edge forward.
+# Rotate it by a 90° roll (left side up), then by a 90° yaw (to the left).
+# Start again, in the other order. Both rotations are about directions of the *room*: the roll is always about the line that pointed forward at the beginning.
+#
+# **Predict:** does the top edge point in the same direction?
+
+# %% [markdown] lang="ko" name="order-predict" slide="subslide"
+# **순서를 바꾸면 달라질까요?** 휴대전화를 꺼내, 화면이 위, 위쪽 끝이 앞을 향하게 둡니다.
+# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 회전시킵니다.
+# 처음 상태로 놓고 순서를 바꾸어 다시 해 보세요. 두 회전 모두 *방*의 방향을 기준으로 합니다. roll의 축은 언제나 처음에 앞을 향하던 직선입니다.
+#
+# **예측해 봅시다.** 위쪽 끝이 같은 방향을 향할까요?
+
+# %% name="order-figure" tags=["predicted", "collapsed"] slide="fragment"
+lesson.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
+
+# %% name="order-numbers" tags=["predicted"] slide="subslide"
+roll = Transform.from_rpy(roll=math.pi / 2)
+yaw = Transform.from_rpy(yaw=math.pi / 2)
+nose = (1.0, 0.0, 0.0)
+print("first roll, then yaw:", lesson.fmt_all((yaw @ roll).apply(nose), ""))
+print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
+
+# %% [markdown] lang="en" name="order-after" tags=["predicted"] slide="fragment"
+# One robot faces left, the other looks at the ceiling: the order matters.
+#
+# In code, the rotation that happens **first** is on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
+# `Transform.from_rpy(r, p, y)` is always `yaw @ pitch @ roll`.
+
+# %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
+# *그림 읽기:* first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
+#
+# 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다. 순서가 중요합니다.
+#
+# 코드에서 **먼저** 하는 회전은 **오른쪽**에 씁니다. 점에 먼저 적용되는 쪽입니다. `yaw @ roll`은 “roll 다음에 yaw”입니다.
+# `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
+
+# %% [markdown] lang="en" name="order-notes" slide="notes"
+# Do it with a book in front of the class, both orders, and let somebody else call the rotations. Nobody forgets a book that ends up on its spine.
+
+# %% [markdown] lang="ko" name="order-notes" slide="notes"
+# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책이 다르게 놓인 것을 눈으로 보면 잊지 않습니다.
+
+# %% [markdown] lang="en" name="rpy-move" slide="skip"
+# Now move one slider at a time, and say aloud what will happen before you let go.
+# The panel also writes the rotation as a *quaternion* (Part 2) and as a *matrix* (Part 3). For now, watch them change.
+
+# %% [markdown] lang="ko" name="rpy-move" slide="skip"
+# 이제 슬라이더를 한 번에 하나만 움직여 봅시다. 움직이기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
+# 패널은 같은 회전을 *quaternion*(2부)과 *matrix*(3부)로도 적어 보여 줍니다. 지금은 어떻게 바뀌는지만 보십시오.
+
+# %% name="rpy-panel" tags=["interactive", "collapsed"] slide="subslide"
 lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% name="rpy-figure" tags=["static"]
 lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% [markdown] lang="en" name="rpy-try" slide="fragment"
-# **Try it.** Which sliders make
+# **Check of Part 1.** Which slider, to which side, makes the robot
 #
-# - the robot look at the ceiling?
-# - the quaternion (0, 0, 1, 0)?
-# - the quaternion (1, 0, 0, 0)? Would you want to be that robot?
+# - look at the ceiling?
+# - look to its right?
+# - lie on its back?
+#
+# Answer with your hand, then with the slider.
 #
 # <details><summary>Solution</summary>
 #
-# Pitch −1.57: minus, because plus puts the nose down. Yaw 3.14: 180°. Roll 3.14: on its back.
+# Pitch −1.57: minus, because plus puts the nose down. Yaw −1.57: plus would be to the left. Roll 3.14 or −3.14: half a turn, the sign does not matter.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="rpy-try" slide="fragment"
-# **직접 해 보세요.** 슬라이더를 어떻게 놓으면 다음과 같이 될까요?
+# **1부 점검.** 어느 슬라이더를 어느 쪽으로 움직이면 로봇이 다음과 같이 될까요?
 #
-# - 로봇이 천장을 봅니다.
-# - 쿼터니언이 (0, 0, 1, 0)이 됩니다.
-# - 쿼터니언이 (1, 0, 0, 0)이 됩니다. 여러분이 그 로봇이라면 어떨까요?
+# - 천장을 봅니다.
+# - 오른쪽을 봅니다.
+# - 뒤집혀 눕습니다.
+#
+# 손으로 먼저 답하고, 슬라이더로 확인해 보세요.
 #
 # <details><summary>풀이</summary>
 #
-# pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 다음은 yaw 3.14, 곧 180°입니다. 마지막은 roll 3.14이고, 로봇이 뒤집혀 눕습니다.
+# 천장은 pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 오른쪽은 yaw −1.57입니다. 양수이면 왼쪽입니다. 뒤집히는 것은 roll 3.14나 −3.14입니다. 180° 회전이므로 부호는 상관없습니다.
 #
 # </details>
 
@@ -359,111 +310,12 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 # 슬라이더를 만지기 전에 천장부터 묻습니다. 대부분 양수라고 답하고, 기수는 내려갑니다.
 # 한 사람은 움직이고 나머지는 예측합니다. 한 사람이 둘 다 하지 않게 합니다.
 
-# %% [markdown] lang="en" name="order-predict" slide="subslide"
-# ### Does the order matter?
-#
-# Take your phone. Screen up, top edge forward.
-# Rotate it by a 90° roll (left side up), then by a 90° yaw (to the left). Remember in which direction the top edge points.
-# Start again, and do it in the other order. Both rotations are about directions of the *room*. So the second one, the roll, is about the line that pointed forward at the beginning. It is not about an edge of the phone.
-#
-# **Predict:** is the result the same?
-
-# %% [markdown] lang="ko" name="order-predict" slide="subslide"
-# ### 순서를 바꾸면 달라질까요?
-#
-# 휴대전화를 꺼내 보세요. 화면이 위, 위쪽 끝이 앞을 향하게 둡니다.
-# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 회전시킵니다. 위쪽 끝이 어디를 향하는지 기억해 두십시오.
-# 처음 상태로 놓고 순서를 바꾸어 다시 해 보세요. 두 번째 회전도 *방*의 방향을 기준으로 합니다. roll의 축은 처음에 앞을 향하던 직선이지, 휴대전화의 모서리가 아닙니다.
-#
-# **예측해 봅시다.** 결과가 같을까요?
-
-# %% name="order-figure" tags=["predicted"] slide="fragment"
-lesson.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
-
-# %% name="order-numbers" tags=["predicted"] slide="subslide"
-roll = Transform.from_rpy(roll=math.pi / 2)
-yaw = Transform.from_rpy(yaw=math.pi / 2)
-nose = (1.0, 0.0, 0.0)
-print("first roll, then yaw:", lesson.fmt_all((yaw @ roll).apply(nose), ""))
-print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
-
-# %% [markdown] lang="en" name="order-after" tags=["predicted"] slide="fragment"
-# One robot faces left. The other looks at the ceiling.
-#
-# In code, the rotation that happens **first** is on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
-# `Transform.from_rpy(r, p, y)` is always `yaw @ pitch @ roll`.
-#
-# <details><summary>Deeper: axes that rotate with the robot</summary>
-#
-# The same product can be read from left to right with axes that rotate with the robot: yaw first, then pitch about the *new* y, then roll about the *new* x.
-# Both readings are in use. If somebody gives you three angles, ask for the order, and whether the axes are fixed or rotate with the robot.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
-# *그림 읽기:* first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
-#
-# 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
-#
-# 코드에서 **먼저** 하는 회전은 **오른쪽**에 씁니다. 점에 먼저 적용되는 쪽입니다. `yaw @ roll`은 “roll 다음에 yaw”입니다.
-# `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
-#
-# <details><summary>더 깊이: 함께 회전하는 축</summary>
-#
-# 같은 합성을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축 둘레로 pitch, 다음에 *새로운* x축 둘레로 roll입니다.
-# 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 회전하는지 꼭 확인하십시오.
-#
-# </details>
-
-# %% [markdown] lang="en" name="order-notes" slide="notes"
-# Do it with a book in front of the class, both orders, and let somebody else call the rotations. Nobody forgets a book that ends up on its spine.
-
-# %% [markdown] lang="ko" name="order-notes" slide="notes"
-# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책이 다르게 놓인 것을 눈으로 보면 잊지 않습니다.
-
-# %% [markdown] lang="en" name="gimbal" slide="slide"
-# ## Why not stay with three angles?
-#
-# Point the nose straight down: pitch 90°. Now compare two sets of angles with quite different rolls and yaws.
-# **Predict:** how far apart are the two robots?
-
-# %% [markdown] lang="ko" name="gimbal" slide="slide"
-# ## 각도 세 개로는 왜 부족할까요?
-#
-# 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
-# **예측해 봅시다.** 두 로봇이 향한 방향은 얼마나 다를까요?
-
-# %% name="gimbal-run" tags=["predicted"] slide="fragment"
-one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
-other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
-print("one   (x, y, z, w):", lesson.fmt_all(one, ""))
-print("other (x, y, z, w):", lesson.fmt_all(other, ""))
-print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
-
-# %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
-# Not at all: they are the same. With the nose down, roll and yaw rotate about the same line, so one of the three angles is redundant.
-# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles can become unstable.
-#
-# With a [[quaternion]] there is no such orientation. It has four numbers, one more than necessary, and a small motion is always a small change.
-# So ROS **stores and sends** quaternions. Angles are for people: URDF files contain them, and tools print them.
-
-# %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
-# 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw의 회전축이 같은 직선이 되어, 세 각도 가운데 하나가 쓸모없어집니다.
-# 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 로봇이 아주 조금만 움직여도 각도가 크게 튑니다. 각도로 계산하는 필터나 제어기는 여기서 불안정해집니다.
-#
-# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 방향이 없습니다. 숫자를 하나 더 쓰는 대신, 어디에서나 작은 회전은 작은 변화로 나타납니다.
-# 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
-
-# %% [markdown] lang="en" name="gimbal-notes" slide="notes"
-# Say what it means on a real machine: a gripper whose x axis (forward) points straight down has a pitch of 90° all day long.
-
-# %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
-# 실제 기계에서 어떤 뜻인지 말해 줍니다. x축(앞)이 똑바로 아래를 향하는 그리퍼는 하루 종일 pitch가 90°입니다.
-
 # %% [markdown] lang="en" name="recipe" slide="slide"
-# ## How to write one: half the angle
+# ## Part 2 · Quaternions: four numbers for a rotation
 #
-# To rotate by an angle *a* about an axis (a direction of length one):
+# ROS **stores and sends** a rotation as a [[quaternion]]: four numbers (x, y, z, w), of length one. Three angles jump in some orientations (see the section on gimbal lock); a quaternion never does. Angles are for people: URDF files contain them, and tools print them.
+#
+# To rotate by an angle *a* about an axis (a direction of length one), use **half** the angle:
 #
 # ```
 # (x, y, z) = axis * sin(a / 2)
@@ -473,17 +325,13 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # **Worked example.** Rotate left by 90°. Left is yaw, so the axis is z: (0, 0, 1).
 # Half of 90° is 45°, and sin 45° = cos 45° = 0.707.
 # So (x, y, z, w) = (0, 0, 0.707, 0.707).
-#
-# <details><summary>Deeper: why half the angle?</summary>
-#
-# The formula that rotates a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the rotation.
-#
-# </details>
 
 # %% [markdown] lang="ko" name="recipe" slide="slide"
-# ## 쿼터니언 쓰는 법: 각도의 절반
+# ## 2부 · 쿼터니언: 숫자 네 개로 적는 회전
 #
-# 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 회전하려면 이렇게 씁니다.
+# ROS는 회전을 [[quaternion|쿼터니언(quaternion, 사원수)]]으로 **저장하고 전송합니다**. 길이가 1인 숫자 네 개 (x, y, z, w)입니다. 세 각도는 특정한 방향에서 갑자기 튀지만(아래 짐벌 락 절), 쿼터니언은 어디에서도 튀지 않습니다. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
+#
+# 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 회전하려면 각도의 **절반**을 씁니다.
 #
 # ```
 # (x, y, z) = axis * sin(a / 2)
@@ -493,12 +341,6 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # **예제.** 왼쪽으로 90° 회전합니다. 왼쪽 회전은 yaw이므로 축은 z, 곧 (0, 0, 1)입니다.
 # 90°의 절반은 45°이고 sin 45° = cos 45° = 0.707입니다.
 # 따라서 (x, y, z, w) = (0, 0, 0.707, 0.707)입니다.
-#
-# <details><summary>더 깊이: 왜 각도의 절반일까요?</summary>
-#
-# 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡습니다.
-#
-# </details>
 
 # %% name="recipe-run" slide="fragment"
 a = math.radians(90)
@@ -514,11 +356,72 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # 왜 절반이냐는 질문이 꼭 나옵니다. 짧고 정직한 답은 이렇습니다. 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다.
 # 공식 두 줄은 끝날 때까지 칠판에 남겨 둡니다.
 
+# %% [markdown] lang="en" name="four-facts" slide="slide"
+# ### Four facts that save an afternoon each
+#
+# | quaternion (x, y, z, w) | what it is |
+# |---|---|
+# | (0, 0, 0, 1) | no rotation |
+# | (0, 0, 0, 0) | nothing at all: not a rotation. TF rejects it |
+# | q and −q | the same rotation |
+# | (1, 0, 0, 0) | a rotation by 180° about x: the robot is on its back |
+#
+# The last line is what "no rotation" looks like if a program writes **w first**.
+# Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
+
+# %% [markdown] lang="ko" name="four-facts" slide="slide"
+# ### 반나절씩 아껴 주는 네 가지 사실
+#
+# | 쿼터니언 (x, y, z, w) | 뜻 |
+# |---|---|
+# | (0, 0, 0, 1) | 회전 없음 |
+# | (0, 0, 0, 0) | 회전이 아님. TF가 거절합니다 |
+# | q와 −q | 같은 회전 |
+# | (1, 0, 0, 0) | x축으로 180°: 로봇이 뒤집혀 누워 있습니다 |
+#
+# 마지막 줄은 **w를 맨 앞에** 쓰는 프로그램이 보낸 “회전 없음”을 (x, y, z, w)로 읽은 것입니다.
+# Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
+
+# %% [markdown] lang="en" name="four-facts-notes" slide="notes"
+# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns below, in the configuration file of the second camera.
+
+# %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
+# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. ‘모두 0인 쿼터니언’에서 다시 나옵니다.
+
+# %% [markdown] lang="en" name="w-first" slide="subslide"
+# Now MuJoCo sends a rotation by 20° to the left. **Predict** what the robot does if the four numbers are read as (x, y, z, w).
+
+# %% [markdown] lang="ko" name="w-first" slide="subslide"
+# MuJoCo가 왼쪽으로 20° 도는 작은 회전을 보냅니다. 네 숫자를 (x, y, z, w)로 읽으면 로봇이 어떻게 될지 **예측**해 봅시다.
+
+# %% name="w-first-run" tags=["predicted"] slide="fragment"
+a = math.radians(20)
+w, x, y, z = math.cos(a / 2), 0.0, 0.0, math.sin(a / 2)  # in MuJoCo's order
+for name, q in (("taken as it came", (w, x, y, z)), ("put in order", (x, y, z, w))):
+    angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
+    print(f"{name}: roll, pitch, yaw", lesson.fmt_all(tuple(angles), "degrees", 1))
+
+# %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
+# Roll 160°: upside down, wheels in the air.
+# So if a robot is upside down in RViz, check first whether the quaternion was written with w first.
+# Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
+
+# %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
+# roll이 160°입니다. 로봇이 뒤집혀 바퀴가 하늘을 향합니다.
+# RViz에서 로봇이 뒤집혀 있다면 먼저 w를 맨 앞에 쓰지 않았는지 확인하십시오.
+# 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
+
+# %% [markdown] lang="en" name="w-first-notes" slide="notes"
+# Ask who has seen a robot on its back in RViz. Then ask how long it took to find out why. The median is longer than this lecture.
+
+# %% [markdown] lang="ko" name="w-first-notes" slide="notes"
+# RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 오래 걸립니다.
+
 # %% [markdown] lang="en" name="faded" slide="subslide"
-# **Your turn, with two blanks.** Rotate *right* by 40°. Replace the two `...` and run the cell again.
+# **Check of Part 2, with two blanks.** Rotate *right* by 40°. Replace the two `...` and run the cell again.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# **빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 회전합니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
+# **2부 점검: 빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 회전합니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
 
 # %% name="faded-run"
 half = math.radians(-40) / 2  # to the right is negative
@@ -550,124 +453,100 @@ else:
 #
 # </details>
 
-# %% [markdown] lang="en" name="four-facts" slide="slide"
-# ## Four facts that save an afternoon each
+# %% [markdown] lang="en" name="predict" slide="slide"
+# ## Part 3 · A camera has two frames
 #
-# | quaternion (x, y, z, w) | what it is |
-# |---|---|
-# | (0, 0, 0, 1) | no rotation |
-# | (0, 0, 0, 0) | nothing at all: not a rotation |
-# | q and −q | the same rotation |
-# | (1, 0, 0, 0) | a rotation by 180° about x: the robot is on its back |
+# `camera_link` has the axes of the body. `camera_optical_frame` has the same origin and the axes of the image, where pixels are counted to the right and down.
 #
-# The last line is what "no rotation" looks like if a program writes **w first**.
-# Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
-
-# %% [markdown] lang="ko" name="four-facts" slide="slide"
-# ## 반나절씩 아껴 주는 네 가지 사실
+# A mug stands 2 m straight ahead of the camera. In the image it is exactly in the middle.
 #
-# | 쿼터니언 (x, y, z, w) | 뜻 |
-# |---|---|
-# | (0, 0, 0, 1) | 회전 없음 |
-# | (0, 0, 0, 0) | 회전이 아님 |
-# | q와 −q | 같은 회전 |
-# | (1, 0, 0, 0) | x축으로 180°: 로봇이 뒤집혀 누워 있습니다 |
+# **Predict.** Write down two sets of coordinates on paper, now: where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
+
+# %% [markdown] lang="ko" name="predict" slide="slide"
+# ## 3부 · 카메라에는 좌표계가 둘입니다
 #
-# 마지막 줄은 **w를 맨 앞에** 쓰는 프로그램이 보낸 “회전 없음”을 (x, y, z, w)로 읽은 것입니다.
-# Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
-
-# %% name="four-facts-run" slide="fragment"
-minus = tuple(-part for part in left_90)
-point = (1.0, 0.0, 0.0)
-print(" q turns it to", lesson.fmt_all(Transform(rotation=left_90).apply(point), ""))
-print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), ""))
-
-# %% [markdown] lang="en" name="four-facts-notes" slide="notes"
-# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns below, in the configuration file of the second camera.
-
-# %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
-# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. ‘일부러 고장 내기 1’에서 다시 나옵니다.
-
-# %% [markdown] lang="en" name="length" slide="subslide"
-# ### How long is it?
+# `camera_link`의 축은 본체의 축과 같습니다. `camera_optical_frame`은 원점이 같고, 영상의 축을 씁니다. 영상에서 픽셀은 오른쪽과 아래로 셉니다.
 #
-# The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
-# If the length is off, TF normalises it without a message. Other programs use it as it is, and draw the robot stretched.
-# Rounded numbers are normal, so a check allows a small difference from one.
+# 머그컵이 카메라 정면 2 m 앞에 있습니다. 영상에서는 정확히 한가운데에 보입니다.
 #
-# And there is NaN, "not a number", the result of 0/0 in C++ and NumPy. **Predict:** is NaN close to 1, or far from it?
+# **예측해 봅시다.** 지금 종이에 좌표를 두 개 적어 보세요. 머그컵은 `camera_link` 기준으로 어디에 있을까요? `camera_optical_frame` 기준으로는 어디에 있을까요?
 
-# %% [markdown] lang="ko" name="length" slide="subslide"
-# ### 길이는 얼마일까요?
+# %% name="predict-run" tags=["predicted", "collapsed"] slide="fragment"
+mug = (2.0, 0.0, 0.0)
+print("in camera_link          ", lesson.fmt_all(mug))
+print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
+
+# %% [markdown] lang="en" name="predict-replies" slide="fragment"
+# What did you write for the second one?
 #
-# 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
-# 길이가 1에서 벗어나면 TF는 오류 없이 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
-# 반올림한 숫자는 정상입니다. 그러므로 길이를 확인할 때는 1과의 작은 차이를 허용합니다.
+# <details><summary>(2, 0, 0) again</summary>
 #
-# 그리고 C++나 NumPy에서 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
+# That is the mistake of the contest. It is one point in two frames: the coordinates must differ, because the axes do.
+#
+# </details>
+# <details><summary>(0, 0, −2)</summary>
+#
+# Depth is z, but your z points backward, as in computer graphics (OpenGL). ROS cameras look along **+z**.
+#
+# </details>
+# <details><summary>(0, −2, 0)</summary>
+#
+# You used the right rotation in the wrong direction: from the optical frame to the body. Chapter 03 has a sentence that prevents this mistake.
+#
+# </details>
+# <details><summary>(0, 0, 2)</summary>
+#
+# Right. Keep the paper: you will need to say *why* at the end.
+#
+# </details>
 
-# %% name="length-run" tags=["predicted"] slide="fragment"
-for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
-    length = math.hypot(*q)
-    off = abs(length - 1)
-    print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
+# %% [markdown] lang="ko" name="predict-replies" slide="fragment"
+# 두 번째 좌표를 무엇이라고 적었습니까?
+#
+# <details><summary>똑같이 (2, 0, 0)</summary>
+#
+# 대회에서 일어난 바로 그 실수입니다. 점은 하나지만 좌표계는 둘입니다. 축이 다르므로 숫자도 달라야 합니다.
+#
+# </details>
+# <details><summary>(0, 0, −2)</summary>
+#
+# 깊이가 z인 것은 맞지만, 컴퓨터 그래픽스(OpenGL)처럼 z가 뒤를 향하고 있습니다. ROS의 카메라는 **+z** 방향을 봅니다.
+#
+# </details>
+# <details><summary>(0, −2, 0)</summary>
+#
+# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 목표와 원본을 구별하는 방법은 03장에서 배웁니다.
+#
+# </details>
+# <details><summary>(0, 0, 2)</summary>
+#
+# 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
+#
+# </details>
 
-# %% [markdown] lang="en" name="length-after" tags=["predicted"] slide="fragment"
-# Neither. NaN is neither greater nor less than any number, so both comparisons are False. It passes every check that asks "is it bad?".
-# Check `math.isfinite` first.
+# %% [markdown] lang="en" name="predict-notes" slide="notes"
+# Collect the answers on the board before you run the cell, with a count for each. Leave them there: you need them at the end.
 
-# %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
-# 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, ‘나쁜 값인가?’를 묻는 검사를 그대로 통과합니다.
-# `math.isfinite`로 먼저 확인하십시오.
-
-# %% [markdown] lang="en" name="w-first" slide="subslide"
-# Now the quaternion with w first, of a rotation by 20° to the left. **Predict** what the robot does.
-
-# %% [markdown] lang="ko" name="w-first" slide="subslide"
-# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 20° 도는 작은 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
-
-# %% name="w-first-run" tags=["predicted"] slide="fragment"
-a = math.radians(20)
-from_mujoco = (math.cos(a / 2), 0.0, 0.0, math.sin(a / 2))  # (w, x, y, z)
-for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_from_wxyz(from_mujoco))):
-    angles = (math.degrees(part) for part in Transform(rotation=q).rpy())
-    print(f"{name}: roll, pitch, yaw", lesson.fmt_all(tuple(angles), "degrees", 1))
-
-# %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
-# Roll 160°: upside down, wheels in the air.
-# A small rotation becomes a roll of nearly 180°. So if a robot is upside down in RViz, check first whether the quaternion was written with w first.
-# Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
-
-# %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
-# roll이 160°입니다. 로봇이 뒤집혀 바퀴가 하늘을 향합니다.
-# 작은 회전이 180°에 가까운 roll로 바뀝니다. RViz에서 로봇이 뒤집혀 있다면 w를 먼저 쓴 흔적입니다.
-# 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
-
-# %% [markdown] lang="en" name="w-first-notes" slide="notes"
-# Ask who has seen a robot on its back in RViz. Then ask how long it took to find out why. The median is longer than this lecture.
-
-# %% [markdown] lang="ko" name="w-first-notes" slide="notes"
-# RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 오래 걸립니다.
+# %% [markdown] lang="ko" name="predict-notes" slide="notes"
+# 셀을 실행하기 전에 답을 칠판에 모으고 각각 몇 명인지 적습니다. 지우지 마십시오. 마지막에 다시 봅니다.
 
 # %% [markdown] lang="en" name="optical" slide="slide"
-# ## The image: z forward, x right, y down
+# ### The optical frame: z forward, x right, y down
 #
-# Images have a convention of their own: pixels are counted to the **right** and **down** from the upper left corner.
-# Computer vision keeps these directions in space: x right, y down, and by the right-hand rule z points **forward**, into the scene.
+# Computer vision keeps the directions of the pixels in space: x **right**, y **down**, and by the right-hand rule z points **forward**, into the scene.
 # ROS calls such a frame an [[optical frame]], and its name ends in `_optical_frame`.
 #
 # Move the mug. Watch the coordinates of the same point in both frames.
 
 # %% [markdown] lang="ko" name="optical" slide="slide"
-# ## 영상: z는 앞, x는 오른쪽, y는 아래
+# ### 광학 좌표계: z는 앞, x는 오른쪽, y는 아래
 #
-# 영상 처리에는 따로 관례가 있습니다. 픽셀은 왼쪽 위 모서리에서 **오른쪽**과 **아래**로 셉니다.
-# 영상을 다루는 사람들은 공간에서도 이 관례를 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
+# 영상을 다루는 사람들은 공간에서도 픽셀의 방향을 지킵니다. x가 **오른쪽**, y가 **아래**이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
 # ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
-# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 살펴보세요. *그림 읽기:* mug = 머그컵, forward = 앞, left = 왼쪽, up = 위, right = 오른쪽, down = 아래.
+# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 살펴보세요.
 
-# %% name="optical-panel" tags=["interactive"] slide="subslide"
+# %% name="optical-panel" tags=["interactive", "collapsed"] slide="subslide"
 lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
 # %% name="optical-figure" tags=["static"]
@@ -680,9 +559,9 @@ lesson.draw_cameras((2.0, 0.5, 0.3))
 # 두 사람이 나옵니다. 한 사람은 로봇 본체, 한 사람은 카메라 영상입니다. 같은 머그컵의 세 숫자를 동시에 읽게 합니다.
 
 # %% [markdown] lang="en" name="two-turns" slide="slide"
-# ## Two rotations by 90°
+# ### Two rotations by 90°
 #
-# How do you get from one to the other? Take the camera's body axes, and rotate about the fixed axes:
+# Take the camera's body axes, and rotate about the fixed axes, roll first:
 #
 # 1. roll −90°: y (left) goes down. Now x is forward, **y is down**, z is left.
 # 2. yaw −90°: x (forward) goes right, z (left) goes forward. Now **x is right, y is down, z is forward**.
@@ -690,16 +569,16 @@ lesson.draw_cameras((2.0, 0.5, 0.3))
 # The rotation to remember: **rpy (−π/2, 0, −π/2)**. As a quaternion: **(−0.5, 0.5, −0.5, 0.5)**.
 
 # %% [markdown] lang="ko" name="two-turns" slide="slide"
-# ## 90° 회전 두 번
+# ### 90° 회전 두 번
 #
-# 본체의 축을 어떻게 회전시키면 영상의 축이 될까요? 카메라 본체의 축에서 시작하여 고정축을 중심으로 회전시킵니다.
+# 본체의 축을 어떻게 회전시키면 영상의 축이 될까요? 카메라 본체의 축에서 시작하여 고정축을 중심으로, roll부터 회전시킵니다.
 #
 # 1. roll −90°: y(왼쪽)가 아래로 갑니다. 이제 x는 앞, **y는 아래**, z는 왼쪽입니다.
 # 2. yaw −90°: x(앞)가 오른쪽으로, z(왼쪽)가 앞으로 갑니다. 이제 **x는 오른쪽, y는 아래, z는 앞**입니다.
 #
 # 외워 둘 회전은 <b>rpy (−π/2, 0, −π/2)</b>입니다. 쿼터니언으로 쓰면 **(−0.5, 0.5, −0.5, 0.5)**, 크기는 모두 같고 부호만 다릅니다.
 
-# %% name="two-turns-figure"
+# %% name="two-turns-figure" tags=["collapsed"]
 lesson.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
 
 # %% name="two-turns-run" slide="subslide"
@@ -710,13 +589,13 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 
 # %% [markdown] lang="en" name="two-turns-after" slide="fragment"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
-# These three lines are the three **columns** of the rotation matrix, the nine numbers of the panel above. The columns of a rotation matrix are the directions of the child's axes in the parent.
+# These lines are the three **columns** of the rotation matrix, the nine numbers of the panel in Part 1: the directions of the child's axes in the parent.
 #
 # So a point (right, down, forward) in the optical frame is (forward, −right, −down) in the camera's body frame.
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
-# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
+# 이 세 줄이 회전 행렬(1부 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
 #
 # 따라서 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
@@ -751,27 +630,131 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # %% [markdown] lang="ko" name="worked-notes" slide="notes"
 # 2단계의 손 확인을 꼭 시킵니다. 부호를 유도만 하면 틀릴 때가 있지만, 손으로 확인한 부호는 맞습니다.
 
+# %% [markdown] lang="en" name="ray" slide="slide"
+# ### From a pixel to a ray
+#
+# A detector without depth reports only a pixel: *u* counts to the right, *v* down.
+# The driver publishes the camera's numbers on the topic `camera_info`: the focal lengths fx and fy, and the centre (cx, cy), all in pixels.
+#
+# ```
+# x / z = (u - cx) / fx        y / z = (v - cy) / fy
+# ```
+#
+# So a pixel gives a direction in the optical frame, ((u − cx)/fx, (v − cy)/fy, 1). The object is somewhere on this ray.
+#
+# **Predict.** fx = fy = 525, and the centre is (320, 240). The mug is at pixel (460, 170). In `base_link`, is the y of the ray positive or negative? And its z?
+
+# %% [markdown] lang="ko" name="ray" slide="slide"
+# ### 픽셀에서 광선으로
+#
+# 깊이를 모르는 검출기는 픽셀만 알려 줍니다. *u*는 오른쪽으로, *v*는 아래로 셉니다.
+# 카메라의 수치는 드라이버가 `camera_info` 토픽에 발행합니다. 초점 거리 fx, fy와 영상 중심 (cx, cy)이며, 단위는 모두 픽셀입니다.
+#
+# ```
+# x / z = (u - cx) / fx        y / z = (v - cy) / fy
+# ```
+#
+# 따라서 픽셀 하나는 광학 좌표계의 한 방향 ((u − cx)/fx, (v − cy)/fy, 1)이 됩니다. 물체는 이 광선 위 어딘가에 있습니다.
+#
+# **예측해 봅시다.** fx = fy = 525이고 영상 중심은 (320, 240)입니다. 머그컵이 픽셀 (460, 170)에 보입니다. `base_link` 기준으로 광선의 y는 양수일까요, 음수일까요? z는 어떨까요?
+
+# %% name="ray-run" tags=["predicted"] slide="fragment"
+from sensor_msgs.msg import CameraInfo
+
+info = CameraInfo(k=[525.0, 0.0, 320.0, 0.0, 525.0, 240.0, 0.0, 0.0, 1.0])
+fx, cx, fy, cy = info.k[0], info.k[2], info.k[4], info.k[5]
+u, v = 460.0, 170.0
+optical_ray = ((u - cx) / fx, (v - cy) / fy, 1.0)
+base_ray = Transform(rotation=base_T_optical.rotation).apply(optical_ray)  # no translation
+print("ray in the optical frame:", lesson.fmt_all(optical_ray, ""))
+print("ray in base_link:        ", lesson.fmt_all(base_ray, ""))
+
+# %% [markdown] lang="en" name="ray-after" tags=["predicted"] slide="fragment"
+# y is negative: to the right. z is positive: the ray rises.
+# The ray starts at the camera, (0.10, 0, 0.30). A direction has no position, so **only the rotation** applies to it; in ROS 2 it is a `Vector3Stamped`, and TF leaves the translation out.
+
+# %% [markdown] lang="ko" name="ray-after" tags=["predicted"] slide="fragment"
+# y는 음수, 곧 오른쪽입니다. z는 양수, 곧 위로 올라가는 광선입니다.
+# 광선은 카메라의 위치 (0.10, 0, 0.30)에서 출발합니다. 방향에는 위치가 없으므로 **회전만** 적용합니다. ROS 2에서는 방향을 `Vector3Stamped`에 담으며, TF가 이동을 빼고 변환합니다.
+
+# %% [markdown] lang="en" name="ray-view" slide="skip"
+# Here is the ray. Every point on it is seen at the same pixel. In the 3D view, the pyramid is the camera's field of view.
+
+# %% [markdown] lang="ko" name="ray-view" slide="skip"
+# 이 광선을 그려 보았습니다. 광선 위의 점은 모두 같은 픽셀에 보입니다. 3D 화면의 피라미드는 카메라가 보는 범위입니다.
+# *그림 읽기:* mug = 머그컵, deep = 깊이.
+
+# %% name="scene-3d" tags=["interactive", "collapsed"] slide="subslide"
+view = lesson.Scene(height_px=380, grid_m=0.5)
+lesson.draw_frame(view, "base_link", Transform(), length_m=0.3)
+lesson.draw_frame(view, "camera_optical_frame", base_T_optical, "base_link", length_m=0.3)
+lesson.draw_camera(view, "camera", base_T_optical, depth_m=1.0, pixels=[(460.0, 170.0)])
+lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug)
+lesson.draw_mug(view, "mug", base_p_mug)
+view
+
+# %% name="scene-figure" tags=["static"]
+on_the_ray = {f"{z} m deep": base_T_optical.apply(np.multiply(optical_ray, z)) for z in (0.5, 1.0)}
+lesson.draw_scene(
+    {"base_link": Transform(), "camera_optical_frame": base_T_optical},
+    points={**on_the_ray, "mug, 1.5 m deep": base_p_mug},
+    fixed_frame="base_link",
+    length_m=0.2,
+)
+
+# %% [markdown] lang="en" name="ray-check" slide="skip"
+# **Check.** A depth image has 3.0 m at this pixel. Where is that point in `base_link`?
+#
+# <details><summary>(3.00, −0.80, 0.40)</summary>
+#
+# That is three times the ray, but from the origin of `base_link`. The ray starts at the camera.
+#
+# </details>
+# <details><summary>(2.98, −0.77, 0.68)</summary>
+#
+# You went 3.0 m *along* the ray. A depth image contains z, so multiply the ray whose z is 1. (A laser measures along the ray.)
+#
+# </details>
+# <details><summary>(3.10, −0.80, 0.70)</summary>
+#
+# Right: (0.10, 0, 0.30) + 3.0 · (1, −0.267, 0.133). With 1.5 m you get the mug of the worked example.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="ray-check" slide="skip"
+# **점검.** 깊이 영상의 이 픽셀에 3.0 m가 들어 있습니다. 이 점은 `base_link` 기준으로 어디에 있을까요?
+#
+# <details><summary>(3.00, −0.80, 0.40)</summary>
+#
+# 광선의 세 배이지만 `base_link`의 원점에서 출발했습니다. 광선은 카메라에서 출발합니다.
+#
+# </details>
+# <details><summary>(2.98, −0.77, 0.68)</summary>
+#
+# 광선을 *따라* 3.0 m를 갔습니다. 깊이 영상에는 z가 들어 있으므로, z가 1인 광선에 곱합니다. (레이저는 광선을 따라 잽니다.)
+#
+# </details>
+# <details><summary>(3.10, −0.80, 0.70)</summary>
+#
+# 맞습니다. (0.10, 0, 0.30) + 3.0 · (1, −0.267, 0.133)입니다. 1.5 m라면 위 예제의 머그컵이 됩니다.
+#
+# </details>
+
 # %% [markdown] lang="en" name="why-two" slide="slide"
-# ## Why two frames, and which one goes into the header?
+# ### Why two frames, and which one goes into the header?
 #
 # - `camera_link` is where the camera is **mounted**. It is used for mechanics and URDF: x forward, like everything else on the robot.
-# - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, depth clouds.
+# - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, rays, depth clouds.
 #
-# Both have the same origin. They differ only by a rotation.
 # The driver writes the **optical** frame into the header. Then no node has to convert anything: TF does.
-#
-# Here are all three frames; the two of the camera have the same origin. The arrow is the ray to the mug. The pyramid is the camera's field of view; *u* counts its pixels to the right, *v* counts them down.
 
 # %% [markdown] lang="ko" name="why-two" slide="slide"
-# ## 좌표계는 왜 둘이고, 헤더에는 어느 것을 적을까요?
+# ### 좌표계는 왜 둘이고, 헤더에는 어느 것을 적을까요?
 #
 # - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계와 URDF, 자로 잰 치수는 이 좌표계를 따르며, 로봇의 다른 부분처럼 x가 앞입니다.
-# - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 깊이 포인트 클라우드가 여기에 속합니다.
+# - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 광선, 깊이 포인트 클라우드가 여기에 속합니다.
 #
-# 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
 # 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 손으로 바꿀 필요가 없습니다. TF가 바꿉니다.
-#
-# 세 좌표계를 모두 그려 보았습니다. 카메라의 두 좌표계는 같은 자리에 있습니다. 화살표는 머그컵을 향한 광선입니다. 피라미드는 카메라가 보는 범위이고, 픽셀은 *u*를 오른쪽으로, *v*를 아래로 셉니다.
 
 # %% [markdown] lang="en" name="why-two-notes" slide="notes"
 # Before this slide, ask: you write the driver, what do you put into the header? Count the hands for each frame.
@@ -779,26 +762,396 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # %% [markdown] lang="ko" name="why-two-notes" slide="notes"
 # 이 슬라이드를 보여 주기 전에 묻습니다. 여러분이 드라이버를 만든다면 헤더에 무엇을 적겠습니까? 좌표계마다 손을 든 사람을 세어 봅니다.
 
-# %% name="scene-3d" tags=["interactive"] slide="subslide"
-view = lesson.Scene(height_px=380, grid_m=0.5)
-lesson.draw_frame(view, "base_link", Transform(), length_m=0.3)
-lesson.draw_frame(view, "camera_link", base_T_camera, "base_link", length_m=0.3)
-lesson.draw_frame(view, "camera_optical_frame", base_T_optical, "camera_link", length_m=0.5)
-lesson.draw_camera(view, "camera", base_T_optical, depth_m=1.5, pixels=[(460.0, 170.0)])
-lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug)
-lesson.draw_mug(view, "mug", base_p_mug)
-view
+# %% [markdown] lang="en" name="break-zero" slide="slide"
+# ### From arithmetic to ROS 2
+#
+# On a robot, TF multiplies the transforms. A [[node]] is a program with a name that takes part in ROS 2. A [[broadcaster]] is the part of a node that publishes a transform, such as the camera's mount.
+# A line that begins with `%ros2` is a command of ROS 2; on a robot you type it in a terminal.
+#
+# First, the camera as it should be: its mount, and its optical frame.
+# Note the second command. It is the one that was missing in the contest.
 
-# %% name="scene-figure" tags=["static"]
-lesson.draw_scene(
-    {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
-    points={"mug": base_p_mug},
-    fixed_frame="base_link",
-    length_m=0.25,
+# %% [markdown] lang="ko" name="break-zero" slide="slide"
+# ### 계산에서 ROS 2로
+#
+# 로봇에서는 변환을 TF가 합성합니다. [[node|노드]]는 이름을 가지고 ROS 2 통신에 참여하는 프로그램이고, [[broadcaster|변환 발행기]]는 *카메라는 여기 있다*처럼 변환을 발행하는 노드 안의 객체입니다.
+# `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 로봇에서는 터미널에 입력합니다.
+#
+# 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 같은 자리에 광학 좌표계를 둡니다.
+# 두 번째 명령을 눈여겨보십시오. 대회에서 빠져 있던 바로 그 명령입니다.
+
+# %% name="mount-camera"
+# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 \
+#     --frame-id base_link --child-frame-id camera_link
+# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 \
+#     --frame-id camera_link --child-frame-id camera_optical_frame
+
+# %% [markdown] lang="en" name="break-cloud" slide="slide"
+# ### Break it on purpose: one word in a header
+#
+# A depth camera sees a wall 2 m ahead, and the floor in front of it. Here is what it measures, along its own axes: right, down, forward.
+
+# %% [markdown] lang="ko" name="break-cloud" slide="slide"
+# ### 일부러 고장 내기: 헤더의 단어 하나
+#
+# 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
+
+# %% name="cloud" tags=["collapsed"]
+import rclpy
+from rclpy.node import Node
+from sensor_msgs.msg import PointCloud2
+from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
+from std_msgs.msg import Header
+
+wall, floor = lesson.wall_cloud(), lesson.floor_cloud()  # points (x, y, z), one a row
+print(lesson.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
+
+# %% [markdown] lang="en" name="cloud-node" slide="subslide"
+# And its driver: a node that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame in which the camera is mounted.
+
+# %% [markdown] lang="ko" name="cloud-node" slide="subslide"
+# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 노드입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다.
+
+# %% name="cloud-driver"
+def depth_camera():
+    rclpy.init()
+    node = Node("depth_camera")
+    node.declare_parameter("frame_id", "camera_link")
+    publisher = node.create_publisher(PointCloud2, "/camera/points", 10)
+
+    def publish():
+        header = Header(stamp=node.get_clock().now().to_msg())
+        header.frame_id = node.get_parameter("frame_id").value
+        publisher.publish(create_cloud_xyz32(header, np.vstack([wall, floor])))
+
+    node.create_timer(0.2, publish)
+    rclpy.spin(node)
+
+# %% name="cloud-start" tags=["collapsed"] slide="skip"
+graph.start(depth_camera, name="depth_camera")
+graph.run(seconds=1.0)
+
+# %% [markdown] lang="en" name="cloud-predict" slide="subslide"
+# **Predict.** Where does RViz draw the wall? Where is the floor?
+# Use your right hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
+
+# %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
+# **예측해 봅시다.** RViz는 벽을 어디에 그릴까요? 바닥은 어디에 그릴까요?
+# 오른손을 들어 보세요. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
+
+# %% name="cloud-rviz" tags=["interactive"] slide="fragment"
+# %rviz2 -f base_link
+
+# %% name="cloud-figure" tags=["predicted", "collapsed"] slide="subslide"
+lesson.draw_misread(
+    {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
+    {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
+    titles=("frame_id: camera_optical_frame", "frame_id: camera_link"),
 )
 
+# %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
+# The wall is above the robot like a ceiling, and the floor stands upright at its left.
+# TF raised nothing: it transformed points from `camera_link` into `base_link`, as the header asked.
+# A planner that looks for obstacles ahead of the robot finds none, and drives into the wall that its own camera sees.
+#
+# The fix is **one word in the header**, not mathematics in your node. Find it, change it, look again.
+
+# %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
+# *그림 읽기:* wall = 벽, floor = 바닥. 그림 위의 글은 데이터에 적힌 `frame_id`입니다.
+#
+# 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
+# TF는 아무 오류도 내지 않았습니다. `camera_link` 기준의 점을 `base_link` 기준으로 바꾸라는 요청을 받았고, 그대로 했습니다.
+# 앞쪽의 장애물을 찾는 경로 계획기는 아무것도 찾지 못하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
+#
+# 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인해 봅시다.
+
+# %% name="cloud-find" slide="subslide"
+# %ros2 topic echo /camera/points --field header.frame_id --once
+
+# %% name="cloud-mend"
+# %ros2 param set /depth_camera frame_id camera_optical_frame
+# %ros2 topic echo /camera/points --field header.frame_id --once
+
+# %% [markdown] lang="en" name="cloud-others" slide="fragment"
+# Run the RViz cell above once more: the wall is where it should be.
+
+# %% [markdown] lang="ko" name="cloud-others" slide="fragment"
+# 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
+
+# %% [markdown] lang="en" name="cloud-notes" slide="notes"
+# Ask which of the three programs should have noticed: camera, TF, or planner. (None of them could.)
+
+# %% [markdown] lang="ko" name="cloud-notes" slide="notes"
+# 카메라, TF, 경로 계획기 중 누가 알아챘어야 하는지 묻습니다. (아무도 알 수 없었습니다.)
+
+# %% [markdown] lang="en" name="checkpoint" slide="slide"
+# ### Checkpoint of Part 3
+#
+# A new camera arrives. In RViz its whole cloud is above the robot, flat like a ceiling.
+# `tf2_echo camera_link camera_optical_frame` prints −90, 0, −90 degrees. What do you change?
+#
+# <details><summary>A. In my node, I swap the coordinates: (z, −x, −y)</summary>
+#
+# It looks right in your node, and wrong in RViz and in every other node.
+# And when somebody fixes the driver, your node breaks. Do not change the numbers.
+#
+# </details>
+# <details><summary>B. In the URDF, I rotate camera_link by −90°, 0, −90°</summary>
+#
+# Now the cloud is right. But in the model the camera looks to the robot's right, and `camera_optical_frame`, its child, is rotated **twice**.
+# The next program that uses the optical frame properly is wrong.
+#
+# </details>
+# <details><summary>C. In the driver, I set frame_id to camera_optical_frame</summary>
+#
+# Yes. The numbers are in the optical frame, and now the header names it. The mount is right, as tf2_echo has just shown.
+#
+# </details>
+# <details><summary>D. I look for the broken quaternion</summary>
+#
+# A quaternion of zeros would be rejected, and nothing at all would be drawn.
+# One with w first would show in tf2_echo, which has just shown a good one.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="checkpoint" slide="slide"
+# ### 3부 마무리 점검
+#
+# 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
+# `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
+#
+# <details><summary>A. 내 노드에서 좌표를 (z, −x, −y)로 바꿉니다</summary>
+#
+# 내 노드에서는 맞아 보이지만 RViz와 다른 노드에서는 여전히 틀립니다.
+# 게다가 누군가 드라이버를 고치는 날, 내 노드가 망가집니다. 숫자는 건드리지 마십시오.
+#
+# </details>
+# <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
+#
+# 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 회전합니다.
+# 그러면 나중에 광학 좌표계를 제대로 쓰는 프로그램의 결과가 틀리게 됩니다.
+#
+# </details>
+# <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
+#
+# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 헤더도 그렇습니다. 방금 tf2_echo로 보았듯이 장착 변환은 옳습니다.
+#
+# </details>
+# <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
+#
+# 모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다.
+# w를 먼저 썼다면 tf2_echo에 드러나는데, 방금 tf2_echo는 올바른 값을 보여 주었습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
+# Vote by hands for A to D before opening any. B is the interesting one: it works today.
+
+# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
+# 열어 보기 전에 A부터 D까지 손을 들게 합니다. B가 흥미롭습니다. 지금은 제대로 보이기 때문입니다.
+
+# %% [markdown] lang="en" name="robot" slide="slide"
+# ## The same on a real robot
+#
+# All commands above are what you type in a terminal, without the `%`. Check the rotation:
+# (`--for 1` belongs to this page: it stops the tool after one second. In a terminal you press Ctrl-C.)
+
+# %% [markdown] lang="ko" name="robot" slide="slide"
+# ## 실제 로봇에서
+#
+# 위의 명령은 모두 `%`만 빼면 터미널에 입력하는 그대로입니다. 회전은 눈으로 직접 확인하십시오.
+# (`--for 1`은 이 페이지에만 있는 것으로, 1초 뒤에 도구를 멈춥니다. 터미널에서는 Ctrl-C로 멈춥니다.)
+
+# %% name="robot-echo"
+# %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
+
+# %% [markdown] lang="en" name="robot-urdf" slide="subslide"
+# `tf2_echo` prints "Waiting" first, because it looks up the transform before it has received any. That is normal.
+#
+# On a robot, mounts belong in the URDF. `robot_state_publisher`, a node of ROS 2, reads it and publishes them. Every camera's description needs these lines:
+#
+# ```xml
+# <link name="camera_link"/>
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="base_link"/>
+#   <child link="camera_link"/>
+#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
+# </joint>
+# <link name="camera_optical_frame"/>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/>
+#   <child link="camera_optical_frame"/>
+#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
+# </joint>
+# ```
+#
+# Write π/2 with 16 digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`; in the exercise you calculate what that costs at 10 m.
+
+# %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
+# `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문입니다. 정상입니다.
+#
+# 로봇에서는 장착 변환을 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
+#
+# ```xml
+# <link name="camera_link"/>
+# <joint name="base_to_camera" type="fixed">
+#   <parent link="base_link"/>
+#   <child link="camera_link"/>
+#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
+# </joint>
+# <link name="camera_optical_frame"/>
+# <joint name="camera_to_optical" type="fixed">
+#   <parent link="camera_link"/>
+#   <child link="camera_optical_frame"/>
+#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
+# </joint>
+# ```
+#
+# π/2는 모든 자릿수를 적으십시오(계산식을 쓸 수 있는 URDF인 xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있습니다. 10 m 앞에서 얼마나 어긋나는지는 연습 문제에서 계산합니다.
+
+# %% [markdown] lang="en" name="recap" slide="slide"
+# ## Recap
+#
+# - Body frame: x forward, y left, z up. Optical frame: x right, y down, z forward.
+# - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
+# - A quaternion (x, y, z, w) uses half the angle. (0, 0, 0, 1) means no rotation, (0, 0, 0, 0) is not a rotation.
+# - Body to optical: rpy (−π/2, 0, −π/2). The header of the data names the optical frame.
+# - A pixel is a ray in the optical frame: x/z = (u − cx)/fx, y/z = (v − cy)/fy.
+# - If data is rotated by 90°, change the frame name or the mount, never the data.
+#
+# Save the card (Shift and a right click) and print it.
+
+# %% [markdown] lang="ko" name="recap" slide="slide"
+# ## 정리
+#
+# - 본체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞.
+# - yaw가 양수이면 왼쪽으로 회전하고, pitch가 양수이면 기수가 내려가고, roll이 양수이면 왼쪽이 올라갑니다.
+# - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어갑니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아닙니다.
+# - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
+# - 픽셀은 광학 좌표계의 광선입니다. x/z = (u − cx)/fx, y/z = (v − cy)/fy.
+# - 90° 회전해 있다면 헤더나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
+#
+# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
+
+# %% name="recap-card" tags=["collapsed"] slide="subslide"
+lesson.draw_card()
+
+# %% [markdown] lang="en" name="exit" slide="slide"
+# ## Exit ticket
+#
+# One sentence each, on paper:
+#
+# 1. Why is the mug at (0, 0, 2) in the optical frame? Use your hand, not a formula.
+# 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
+# 3. What is still unclear?
+
+# %% [markdown] lang="ko" name="exit" slide="slide"
+# ## 마무리하며
+#
+# 종이에 한 문장씩 적어 보세요.
+#
+# 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있을까요? 공식 말고 손으로 설명해 보세요.
+# 2. 누가 “TF가 오류를 내지 않았으니 좌표계는 맞다”고 합니다. 어떻게 답하겠습니까?
+# 3. 아직 잘 모르겠는 것은 무엇입니까?
+
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now name the axes of a body and of a camera, write a rotation as a quaternion, and find the wrong frame in a header.
+#
+# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` names the mistake in a wrong answer.
+# On your checklist this chapter is **C1** (the directions of x, y and z in REP-103). Task E2.1 ticks it.
+#
+# The sections below are for the curious, for reference and for practice.
+
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 본체와 카메라의 축을 말하고, 회전을 쿼터니언으로 쓰고, 좌표계가 잘못 적힌 헤더를 찾아낼 수 있습니다.
+#
+# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`는 틀린 답에서 *어떤* 실수를 했는지 알려 줍니다.
+# 실습 체크리스트에서 이 장은 **C1**(REP-103의 x·y·z 방향)입니다. E2.1 과제를 통과하면 채워집니다.
+#
+# 아래 절들은 더 알고 싶을 때, 찾아볼 때, 더 연습할 때를 위한 것입니다.
+
+# %% [markdown] lang="en" name="gimbal" slide="slide"
+# ## Why not three angles? Gimbal lock
+#
+# Point the nose straight down: pitch 90°. Now compare two sets of angles with quite different rolls and yaws.
+# **Predict:** how far apart are the two robots?
+
+# %% [markdown] lang="ko" name="gimbal" slide="slide"
+# ## 각도 세 개로는 왜 부족할까요? 짐벌 락
+#
+# 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
+# **예측해 봅시다.** 두 로봇이 향한 방향은 얼마나 다를까요?
+
+# %% name="gimbal-run" tags=["predicted"] slide="fragment"
+one = Transform.from_rpy(roll=0.0, pitch=math.pi / 2, yaw=0.5).rotation
+other = Transform.from_rpy(roll=1.2, pitch=math.pi / 2, yaw=1.7).rotation
+print("one   (x, y, z, w):", lesson.fmt_all(one, ""))
+print("other (x, y, z, w):", lesson.fmt_all(other, ""))
+
+# %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
+# Not at all: they are the same orientation. With the nose down, roll and yaw rotate about the same line, so one of the three angles is redundant.
+# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles can become unstable.
+# With a quaternion there is no such orientation: it has four numbers, one more than necessary, and a small motion is always a small change.
+#
+# Three angles have another trap. `yaw @ pitch @ roll` can also be read from left to right with axes that rotate with the robot: yaw first, then pitch about the *new* y, then roll about the *new* x.
+# Both readings are in use. If somebody gives you three angles, ask for the order, and whether the axes are fixed or rotate with the robot.
+
+# %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
+# 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw의 회전축이 같은 직선이 되어, 세 각도 가운데 하나가 쓸모없어집니다.
+# 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 로봇이 아주 조금만 움직여도 각도가 크게 튑니다. 각도로 계산하는 필터나 제어기는 여기서 불안정해집니다.
+# 쿼터니언에는 그런 방향이 없습니다. 숫자를 하나 더 쓰는 대신, 어디에서나 작은 회전은 작은 변화로 나타납니다.
+#
+# 세 각도에는 조심할 점이 하나 더 있습니다. `yaw @ pitch @ roll`은 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축 둘레로 pitch, 다음에 *새로운* x축 둘레로 roll입니다.
+# 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 회전하는지 꼭 확인하십시오.
+
+# %% [markdown] lang="en" name="gimbal-notes" slide="notes"
+# Say what it means on a real machine: a gripper whose x axis (forward) points straight down has a pitch of 90° all day long.
+
+# %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
+# 실제 기계에서 어떤 뜻인지 말해 줍니다. x축(앞)이 똑바로 아래를 향하는 그리퍼는 하루 종일 pitch가 90°입니다.
+
+# %% [markdown] lang="en" name="length" slide="subslide"
+# ## More on quaternions: −q, the length, NaN, half the angle
+#
+# **q and −q.** The formula that rotates a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the rotation, hence half the angle. And two minus signs cancel, so −q rotates as q does.
+#
+# **The length.** The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
+# If the length is off, TF normalises it without a message. Other programs use it as it is, and draw the robot stretched.
+# Rounded numbers are normal, so a check allows a small difference from one.
+#
+# **NaN**, "not a number", is the result of 0/0 in C++ and NumPy. **Predict:** is NaN close to 1, or far from it?
+
+# %% [markdown] lang="ko" name="length" slide="subslide"
+# ## 쿼터니언 더 보기: −q, 길이, NaN, 각도의 절반
+#
+# **q와 −q.** 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡으므로 각도의 절반이 들어갑니다. 음의 부호 두 개는 서로 지워지므로 −q는 q와 같은 회전입니다.
+#
+# **길이.** 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
+# 길이가 1에서 벗어나면 TF는 오류 없이 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
+# 반올림한 숫자는 정상입니다. 그러므로 길이를 확인할 때는 1과의 작은 차이를 허용합니다.
+#
+# <b>NaN(숫자가 아님)</b>은 C++나 NumPy에서 0/0을 계산하면 나옵니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
+
+# %% name="length-run" tags=["predicted"] slide="fragment"
+for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
+    length = math.hypot(*q)
+    off = abs(length - 1)
+    print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
+
+# %% [markdown] lang="en" name="length-after" tags=["predicted"] slide="fragment"
+# Neither. NaN is neither greater nor less than any number, so both comparisons are False. It passes every check that asks "is it bad?".
+# Check `math.isfinite` first.
+
+# %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
+# 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, ‘나쁜 값인가?’를 묻는 검사를 그대로 통과합니다.
+# `math.isfinite`로 먼저 확인하십시오.
+
 # %% [markdown] lang="en" name="try-it" slide="subslide"
-# ### Try it
+# ## Try it: the same numbers in both frames
 #
 # Change the numbers and run the cell again. Can you find
 #
@@ -813,7 +1166,7 @@ lesson.draw_scene(
 # </details>
 
 # %% [markdown] lang="ko" name="try-it" slide="subslide"
-# ### 직접 해 보세요
+# ## 직접 해 보세요: 두 좌표계에서 숫자가 같은 점
 #
 # 숫자를 바꾸어 다시 실행해 보세요. 다음을 찾을 수 있을까요?
 #
@@ -831,57 +1184,21 @@ lesson.draw_scene(
 right, down, forward = 0.3, -0.1, 2.0  # change me
 print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forward))))
 
-# %% [markdown] lang="en" name="break-zero" slide="slide"
-# ## From arithmetic to ROS 2
-#
-# So far you multiplied the transforms yourself. On a robot, nodes publish transforms, and TF multiplies them. You need four words for that.
-#
-# | word | what it is | on this page |
-# |---|---|---|
-# | [[node]] | a program with a name that takes part in ROS 2 | `Node("asker")` |
-# | [[broadcaster]] | publishes a transform, such as the camera's mount | `static_transform_publisher` |
-# | [[listener]] | receives every transform | `TransformListener` |
-# | [[buffer]] | stores what was received, and answers lookups | `Buffer` |
-#
-# A line that begins with `%ros2` is a command of ROS 2. Here it runs in the page; on a robot you type it in a terminal.
-# First, the robot's camera as it should be: its mount, and its optical frame.
-# Note the second command. It is the one that was missing in the contest.
-
-# %% [markdown] lang="ko" name="break-zero" slide="slide"
-# ## 계산에서 ROS 2로
-#
-# 지금까지는 여러분이 변환을 직접 합성했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 합성은 TF가 합니다. 알아야 할 용어는 네 개뿐입니다.
-#
-# | 용어 | 뜻 | 이 페이지에서는 |
-# |---|---|---|
-# | [[node|노드]] | 이름을 가지고 ROS 2 통신에 참여하는 프로그램 | `Node("asker")` |
-# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환을 발행하는 객체 | `StaticTransformBroadcaster` |
-# | [[listener|변환 수신기]] | 발행된 변환을 모두 받는 객체 | `TransformListener` |
-# | [[buffer|변환 버퍼]] | 받은 변환을 모아 두고, 조회하면 값을 주는 객체 | `Buffer` |
-#
-# `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
-# 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 같은 자리에 광학 좌표계를 둡니다.
-# 두 번째 명령을 눈여겨보십시오. 대회에서 빠져 있던 바로 그 명령입니다.
-
-# %% name="mount-camera"
-# %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 \
-#     --frame-id base_link --child-frame-id camera_link
-# %ros2 run tf2_ros static_transform_publisher --roll -1.5707963 --yaw -1.5707963 \
-#     --frame-id camera_link --child-frame-id camera_optical_frame
-
 # %% [markdown] lang="en" name="asker-before" slide="subslide"
-# Next, a program that looks up transforms. Its [[listener]] receives every transform and stores it in a [[buffer]]. With `spin_thread=True` it does so in a thread of its own while you type.
+# ## Let TF do the arithmetic, and break it with zeros
+#
+# The next program looks up transforms. Its [[listener]] receives every transform and stores it in a [[buffer]]. With `spin_thread=True` it does so in a thread of its own while you type.
 # `buffer.transform(message, "base_link")` then transforms a message from the frame in its header into the one that you want.
 # Chapter 08 explains how. Time on this page advances only while `graph.run` lets it. (`graph` was created by `%load_ext tflab`. A robot does not need it, because there time passes by itself.)
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
-# 다음은 변환을 조회하는 프로그램입니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 별도의 스레드에서 계속 수신합니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계 기준에서 `base_link` 기준으로 바꿉니다.
+# ## TF에 계산을 맡기고, 0으로 고장 내기
+#
+# 변환을 조회하는 프로그램을 만듭니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 별도의 스레드에서 계속 수신합니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계 기준에서 `base_link` 기준으로 바꿉니다.
 # 버퍼의 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
-import rclpy
 import tf2_geometry_msgs  # teaches buffer.transform() about points
-from rclpy.node import Node
 from tf2_ros import Buffer, TransformListener
 
 rclpy.try_shutdown()  # so that this cell can be run again
@@ -900,19 +1217,53 @@ seen.point.x, seen.point.y, seen.point.z = optical_p_mug
 p = buffer.transform(seen, "base_link").point
 print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 
-# %% [markdown] lang="en" name="asker-after" slide="subslide"
+# %% [markdown] lang="en" name="cloud-planner" slide="subslide"
 # This is the worked example, calculated by TF.
 #
-# ## Break it on purpose, 1: all zeros
+# ### The planner that sees no wall
+#
+# And this is the planner that reads the cloud and looks for obstacles at the robot's height.
+
+# %% [markdown] lang="ko" name="cloud-planner" slide="subslide"
+# 위의 예제를 TF가 계산했습니다.
+#
+# ### 벽을 보지 못하는 경로 계획기
+#
+# 다음은 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기입니다.
+
+# %% name="cloud-obstacles"
+import tf2_sensor_msgs  # teaches buffer.transform() about clouds
+
+
+def obstacles_ahead(frame_id):
+    cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
+    x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T
+    in_the_way = (x > 0.3) & (abs(y) < 0.3) & (z > 0.0) & (z < 0.5)
+    return np.count_nonzero(in_the_way)
+
+
+print("stamped camera_optical_frame:", obstacles_ahead("camera_optical_frame"), "points in the way")
+print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points in the way")
+
+# %% [markdown] lang="en" name="cloud-obstacles-after" slide="fragment"
+# With the wrong word in the header there is no obstacle at all, and nobody reports an error: not the camera, not TF, not the planner.
+#
+# Experienced teams make this mistake, too. Clouds that point at the sky or are rotated by 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots use ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+
+# %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
+# 헤더의 단어가 틀리면 장애물이 하나도 없습니다. 카메라도, TF도, 경로 계획기도 오류를 내지 않습니다.
+#
+# 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
+
+# %% [markdown] lang="en" name="asker-after" slide="subslide"
+# ### Break it on purpose: a quaternion of zeros
 #
 # A colleague adds a second camera, whose quaternion comes from a configuration file. The file contains `0, 0, 0, 0`: "no rotation, of course".
 #
 # **Predict:** who reports an error? The broadcaster, the listener, or the program that looks up the transform? And with which message?
 
 # %% [markdown] lang="ko" name="asker-after" slide="subslide"
-# 위의 예제를 TF가 계산했습니다.
-#
-# ## 일부러 고장 내기 1: 모두 0
+# ### 일부러 고장 내기: 모두 0인 쿼터니언
 #
 # 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. 동료는 회전이 없다는 뜻으로 여겼습니다.
 #
@@ -980,299 +1331,36 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
 
-# %% [markdown] lang="en" name="break-cloud" slide="slide"
-# ## Break it on purpose, 2: one word in a header
+# %% [markdown] lang="en" name="earth" slide="skip"
+# ## The axes of the earth, and a compass
 #
-# A depth camera sees a wall 2 m ahead, and the floor in front of it. Here is what it measures, along its own axes: right, down, forward.
+# REP-103 also fixes the axes of frames on the earth, such as `map` with GPS: **x east, y north, z up** (ENU). Data in north, east, down uses a frame of its own, with the suffix `_ned`.
+#
+# So yaw 0 is **east**, not north, and yaw grows counterclockwise. A compass heading is 0 at north and grows **clockwise**: yaw = 90° − heading.
+#
+# | you face | heading | yaw |
+# |---|---|---|
+# | north | 0° | 90° |
+# | east | 90° | 0° |
+# | south | 180° | −90° |
+# | west | 270° | 180° |
 
-# %% [markdown] lang="ko" name="break-cloud" slide="slide"
-# ## 일부러 고장 내기 2: 헤더의 단어 하나
+# %% [markdown] lang="ko" name="earth" slide="skip"
+# ## 지구의 축과 나침반
 #
-# 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
-
-# %% name="cloud"
-import numpy as np
-from sensor_msgs.msg import PointCloud2
-from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points_numpy
-from std_msgs.msg import Header
-
-driver.destroy_node()  # the rear camera goes
-wall, floor = lesson.wall_cloud(), lesson.floor_cloud()  # points (x, y, z), one a row
-print(lesson.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
-
-# %% [markdown] lang="en" name="cloud-node" slide="subslide"
-# And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame in which the camera is mounted. It sounds sensible.
-
-# %% [markdown] lang="ko" name="cloud-node" slide="subslide"
-# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 언뜻 맞아 보입니다.
-
-# %% name="cloud-driver"
-def depth_camera():
-    rclpy.init()
-    node = Node("depth_camera")
-    node.declare_parameter("frame_id", "camera_link")
-    publisher = node.create_publisher(PointCloud2, "/camera/points", 10)
-
-    def publish():
-        header = Header(stamp=node.get_clock().now().to_msg())
-        header.frame_id = node.get_parameter("frame_id").value
-        publisher.publish(create_cloud_xyz32(header, np.vstack([wall, floor])))
-
-    node.create_timer(0.2, publish)
-    rclpy.spin(node)
-
-# %% name="cloud-start" slide="skip"
-graph.start(depth_camera, name="depth_camera")
-graph.run(seconds=1.0)
-
-# %% [markdown] lang="en" name="cloud-predict" slide="subslide"
-# **Predict.** Where does RViz draw the wall? Where is the floor?
-# Use your right hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
-
-# %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
-# **예측해 봅시다.** RViz는 벽을 어디에 그릴까요? 바닥은 어디에 그릴까요?
-# 오른손을 들어 보세요. 오른쪽이 *앞*이 되고, 아래가 *왼쪽*이 되고, 앞이 *위*가 됩니다.
-
-# %% name="cloud-rviz" tags=["interactive"] slide="fragment"
-# %rviz2 -f base_link
-
-# %% name="cloud-figure" tags=["predicted"] slide="subslide"
-lesson.draw_misread(
-    {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
-    {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
-    titles=("frame_id: camera_optical_frame", "frame_id: camera_link"),
-)
-
-# %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
-# The wall is above the robot like a ceiling, and the floor stands upright at its left.
-# TF raised nothing. It had to transform points from `camera_link` into `base_link`, and it did.
-
-# %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
-# *그림 읽기:* wall = 벽, floor = 바닥. 그림 위의 글은 데이터에 적힌 `frame_id`입니다.
+# REP-103은 GPS를 쓰는 `map`처럼 지구에 고정된 좌표계의 축도 정합니다. **x는 동쪽, y는 북쪽, z는 위**입니다(ENU). 북쪽, 동쪽, 아래를 축으로 쓰는 데이터에는 이름이 `_ned`로 끝나는 좌표계를 따로 둡니다.
 #
-# 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
-# TF는 아무 오류도 내지 않았습니다. `camera_link` 기준의 점을 `base_link` 기준으로 바꾸라는 요청을 받았고, 그대로 했습니다.
-
-# %% [markdown] lang="en" name="cloud-planner" slide="subslide"
-# Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
-
-# %% [markdown] lang="ko" name="cloud-planner" slide="subslide"
-# 이제 이 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기를 생각해 봅시다.
-
-# %% name="cloud-obstacles"
-import tf2_sensor_msgs  # teaches buffer.transform() about clouds
-
-
-def obstacles_ahead(frame_id):
-    cloud = create_cloud_xyz32(Header(frame_id=frame_id), np.vstack([wall, floor]))
-    x, y, z = read_points_numpy(buffer.transform(cloud, "base_link")).T
-    in_the_way = (x > 0.3) & (abs(y) < 0.3) & (z > 0.0) & (z < 0.5)
-    return np.count_nonzero(in_the_way)
-
-
-print("stamped camera_optical_frame:", obstacles_ahead("camera_optical_frame"), "points in the way")
-print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points in the way")
-
-# %% [markdown] lang="en" name="cloud-obstacles-after" slide="fragment"
-# No obstacle at all. The planner reports a clear path, and the robot drives into the wall that its own camera sees.
+# 따라서 yaw 0은 북쪽이 아니라 **동쪽**이고, yaw는 반시계 방향으로 커집니다. 나침반의 방위각은 북쪽이 0이고 **시계 방향**으로 커집니다. yaw = 90° − 방위각입니다.
 #
-# The fix is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
-
-# %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
-# 장애물이 하나도 없습니다. 경로 계획기는 앞이 비었다고 판단하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
-#
-# 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인해 봅시다. 실제 로봇에서도 똑같이 입력합니다.
-
-# %% name="cloud-find" slide="subslide"
-# %ros2 topic echo /camera/points --field header.frame_id --once
-
-# %% name="cloud-mend"
-# %ros2 param set /depth_camera frame_id camera_optical_frame
-# %ros2 topic echo /camera/points --field header.frame_id --once
-
-# %% [markdown] lang="en" name="cloud-others" slide="fragment"
-# Run the RViz cell above once more: the wall is where it should be.
-#
-# <details><summary>Deeper: who else made this mistake</summary>
-#
-# Experienced teams make this mistake, too. Clouds that point at the sky or are rotated by 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots use ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
-#
-# </details>
-#
-# The fix is always the same: keep two frames, and write the optical one into the header.
-
-# %% [markdown] lang="ko" name="cloud-others" slide="fragment"
-# 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
-#
-# <details><summary>더 깊이: 같은 일을 겪은 사람들</summary>
-#
-# 초보자만 겪는 일이 아닙니다. 하늘을 바라보거나 90° 누운 클라우드는 지도 작성 패키지([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), 지하 탐사 로봇 대회의 시뮬레이터([osrf/subt 369](https://github.com/osrf/subt/issues/369)), 수많은 ROS 로봇이 거쳐 간 시뮬레이터([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329))의 이슈 목록에도 올라와 있습니다.
-#
-# </details>
-#
-# 해결책은 언제나 같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
-
-# %% [markdown] lang="en" name="cloud-notes" slide="notes"
-# Show the line with 0 points for a moment. Then ask which of the three programs should have noticed: camera, TF, or planner. (None of them could.)
-
-# %% [markdown] lang="ko" name="cloud-notes" slide="notes"
-# 화면의 0을 잠시 그대로 둡니다. 그러고 나서 카메라, TF, 경로 계획기 중 누가 알아챘어야 하는지 묻습니다. (아무도 알 수 없었습니다.)
-
-# %% [markdown] lang="en" name="checkpoint" slide="slide"
-# ## Checkpoint
-#
-# A new camera arrives. In RViz its whole cloud is above the robot, flat like a ceiling.
-# `tf2_echo camera_link camera_optical_frame` prints −90, 0, −90 degrees. What do you change?
-#
-# <details><summary>A. In my node, I swap the coordinates: (z, −x, −y)</summary>
-#
-# It will look right in your node, and wrong in every other one: RViz, the recorder, the colleague's planner.
-# And when somebody fixes the driver, your node breaks. Do not change the numbers.
-#
-# </details>
-# <details><summary>B. In the URDF, I rotate camera_link by −90°, 0, −90°</summary>
-#
-# Now the cloud is right. But in the model the camera looks to the robot's right, and `camera_optical_frame`, its child, is rotated **twice**.
-# The next program that uses the optical frame properly is wrong.
-#
-# </details>
-# <details><summary>C. In the driver, I set frame_id to camera_optical_frame</summary>
-#
-# Yes. The numbers are in the optical frame, and now the header names it. The mount is right, as tf2_echo has just shown.
-#
-# </details>
-# <details><summary>D. I look for the broken quaternion</summary>
-#
-# A quaternion of zeros would not rotate the cloud: the transform would be rejected, and nothing at all would be drawn.
-# One with w first would rotate it, and you would see it in tf2_echo, which has just shown a good one.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="checkpoint" slide="slide"
-# ## 마무리 점검
-#
-# 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
-# `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
-#
-# <details><summary>A. 내 노드에서 좌표를 (z, −x, −y)로 바꿉니다</summary>
-#
-# 내 노드에서는 맞아 보이지만 다른 모든 곳에서는 여전히 틀립니다. RViz도, 기록된 데이터도, 동료의 경로 계획기도 그렇습니다.
-# 게다가 누군가 드라이버를 고치는 날, 내 노드가 망가집니다. 숫자는 건드리지 마십시오.
-#
-# </details>
-# <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
-#
-# 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 회전합니다.
-# 그러면 나중에 광학 좌표계를 제대로 쓰는 프로그램의 결과가 틀리게 됩니다.
-#
-# </details>
-# <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
-#
-# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 헤더도 그렇습니다. 방금 tf2_echo로 보았듯이 장착 변환은 옳습니다.
-#
-# </details>
-# <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
-#
-# 모두 0인 쿼터니언이라면 클라우드가 회전하는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
-# w를 먼저 쓴 쿼터니언이라면 클라우드가 회전하겠지만 tf2_echo에 드러납니다. 방금 tf2_echo는 올바른 값을 보여 주었습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
-# Vote by hands for A to D before opening any. B is the interesting one: it works today.
-
-# %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 열어 보기 전에 A부터 D까지 손을 들게 합니다. B가 흥미롭습니다. 지금은 제대로 보이기 때문입니다.
-
-# %% [markdown] lang="en" name="robot" slide="slide"
-# ## The same on a real robot
-#
-# Everything above runs there unchanged. Without the `%`, the commands are what you type in a terminal. Check the rotation yourself:
-# (`--for 1` belongs to this page: it stops the tool after one second. In a terminal you leave it out, and press Ctrl-C.)
-
-# %% [markdown] lang="ko" name="robot" slide="slide"
-# ## 실제 로봇에서
-#
-# 위의 코드는 모두 실제 로봇에서 그대로 실행됩니다. `%`만 빼면 터미널에 입력하는 명령입니다. 회전은 눈으로 직접 확인하십시오.
-# (`--for 1`은 이 페이지에만 있는 것으로, 1초 뒤에 도구를 멈춥니다. 터미널에서는 빼고 입력한 다음 Ctrl-C로 멈춥니다.)
-
-# %% name="robot-echo"
-# %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
-
-# %% [markdown] lang="en" name="robot-urdf" slide="subslide"
-# `tf2_echo` prints the first line, "Waiting", because it looks up the transform before it has received any. That is normal.
-#
-# On a robot, mounts belong in the URDF. `robot_state_publisher`, a node of ROS 2, reads it and publishes them. These lines should be in every camera's description:
-#
-# ```xml
-# <link name="camera_link"/>
-# <joint name="base_to_camera" type="fixed">
-#   <parent link="base_link"/>
-#   <child link="camera_link"/>
-#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
-# </joint>
-# <link name="camera_optical_frame"/>
-# <joint name="camera_to_optical" type="fixed">
-#   <parent link="camera_link"/>
-#   <child link="camera_optical_frame"/>
-#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
-# </joint>
-# ```
-#
-# Write π/2 with 16 digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`, and so do the many robots that copied from it. At 10 m you can measure the difference. You calculate it in the exercise.
-#
-# <details><summary>Deeper: six bare numbers, and a yaw without a library</summary>
-#
-# Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are in the reverse order. The named options of this page cannot be mixed up; `--help` lists them.
-#
-# In a node, a yaw needs no library, only two lines where the message is filled:
-#
-# ```python
-# transform.transform.rotation.z = math.sin(self.theta / 2.0)
-# transform.transform.rotation.w = math.cos(self.theta / 2.0)
-# ```
-#
-# </details>
-
-# %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
-# `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문입니다. 정상입니다.
-#
-# 로봇에서는 장착 변환을 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
-#
-# ```xml
-# <link name="camera_link"/>
-# <joint name="base_to_camera" type="fixed">
-#   <parent link="base_link"/>
-#   <child link="camera_link"/>
-#   <origin xyz="0.10 0.0 0.30" rpy="0.0 0.0 0.0"/>
-# </joint>
-# <link name="camera_optical_frame"/>
-# <joint name="camera_to_optical" type="fixed">
-#   <parent link="camera_link"/>
-#   <child link="camera_optical_frame"/>
-#   <origin xyz="0.0 0.0 0.0" rpy="-1.5707963267948966 0.0 -1.5707963267948966"/>
-# </joint>
-# ```
-#
-# π/2는 모든 자릿수를 적으십시오(계산식을 쓸 수 있는 URDF인 xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
-#
-# <details><summary>더 깊이: 숫자 여섯 개만 쓰는 옛 예제, 라이브러리 없이 쓰는 yaw</summary>
-#
-# 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
-#
-# 노드에서 yaw를 쓸 때는 라이브러리가 필요 없습니다. 메시지를 채울 때 두 줄이면 됩니다.
-#
-# ```python
-# transform.transform.rotation.z = math.sin(self.theta / 2.0)
-# transform.transform.rotation.w = math.cos(self.theta / 2.0)
-# ```
-#
-# </details>
+# | 바라보는 쪽 | 방위각 | yaw |
+# |---|---|---|
+# | 북 | 0° | 90° |
+# | 동 | 90° | 0° |
+# | 남 | 180° | −90° |
+# | 서 | 270° | 180° |
 
 # %% [markdown] lang="en" name="robot-table" slide="subslide"
-# ### "It is rotated by 90° or 180°": where to look first
-#
-# <details><summary>The table, for when you need it</summary>
+# ## Look it up: data that is rotated by 90° or 180°
 #
 # | what you see | likely cause | first look |
 # |---|---|---|
@@ -1286,12 +1374,10 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # An IMU measures angular velocity and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means that it is upside down; 9.8 on x or y, that it is on its side.
 # Then correct the mount (the `rpy` of `imu_link`), not the numbers.
 #
-# </details>
+# Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are in the reverse order. The named options of this page cannot be mixed up; `--help` lists them.
 
 # %% [markdown] lang="ko" name="robot-table" slide="subslide"
-# ### “90°나 180° 회전해 있다”면 어디부터 볼까요?
-#
-# <details><summary>필요할 때 펼쳐 볼 표</summary>
+# ## 찾아보기: 데이터가 90°나 180° 회전해 있다면
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
@@ -1305,7 +1391,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # IMU는 각속도와 가속도를 재는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 잽니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
 #
-# </details>
+# 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 
 # %% [markdown] lang="en" name="robot-table-notes" slide="notes"
 # Read only the left column aloud, and let the class name the cause. If somebody has met one, ask how long it took to find.
@@ -1313,37 +1399,10 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="ko" name="robot-table-notes" slide="notes"
 # 왼쪽 열만 읽어 주고 원인은 청중이 말하게 합니다. 겪어 본 사람이 있으면 얼마나 걸렸는지 들려 달라고 합니다.
 
-# %% [markdown] lang="en" name="recap" slide="slide"
-# ## Recap
-#
-# - Body frame: x forward, y left, z up. Optical frame: x right, y down, z forward. Both are right-handed.
-# - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
-# - rpy rotates about fixed axes, roll first. The order matters.
-# - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) means no rotation, (0, 0, 0, 0) is not a rotation, q and −q are the same rotation.
-# - Body to optical: rpy (−π/2, 0, −π/2). The header of the data names the optical frame.
-# - If data is rotated by 90°, change the frame name or the mount, never the data.
-#
-# Save the card (Shift and a right click on the picture), print it, and put it on your workbench.
-
-# %% [markdown] lang="ko" name="recap" slide="slide"
-# ## 정리
-#
-# - 본체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
-# - yaw가 양수이면 왼쪽으로 회전하고, pitch가 양수이면 기수가 내려가고, roll이 양수이면 왼쪽이 올라갑니다.
-# - rpy는 고정축을 중심으로 roll부터 회전시키며, 순서가 중요합니다.
-# - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어가며 길이는 1입니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
-# - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
-# - 90° 회전해 있다면 헤더나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
-#
-# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
-
-# %% name="recap-card" slide="subslide"
-lesson.draw_card()
-
 # %% [markdown] lang="en" name="words" slide="subslide"
-# **Terms of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# ## Terms, and three questions from before
 #
-# ### Three questions from before
+# **Terms of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # <details><summary>1. What does a coordinate need, besides its value?</summary>
 #
@@ -1362,9 +1421,9 @@ lesson.draw_card()
 # </details>
 
 # %% [markdown] lang="ko" name="words" slide="subslide"
-# **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# ## 이 장의 용어, 그리고 앞 장 복습: 세 문제
 #
-# ### 앞 장 복습: 세 문제
+# **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # <details><summary>1. 좌표에는 값 말고 무엇이 더 필요합니까?</summary>
 #
@@ -1383,7 +1442,7 @@ lesson.draw_card()
 # </details>
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice questions
+# ## Practice questions
 #
 # Write two or three sentences each, then open the rubric and mark yourself: one point per idea.
 #
@@ -1410,7 +1469,7 @@ lesson.draw_card()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제
+# ## 서술형 문제
 #
 # 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
@@ -1436,34 +1495,14 @@ lesson.draw_card()
 #
 # </details>
 
-# %% [markdown] lang="en" name="exit" slide="slide"
-# ## Exit ticket
-#
-# One sentence each, on paper:
-#
-# 1. Why is the mug at (0, 0, 2) in the optical frame? Use your hand, not a formula.
-# 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
-# 3. What is still unclear? Write it down, and look at it again after chapter 03.
-#
-# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
-# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
-
-# %% [markdown] lang="ko" name="exit" slide="slide"
-# ## 마무리하며
-#
-# 종이에 한 문장씩 적어 보세요.
-#
-# 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있을까요? 공식 말고 손으로 설명해 보세요.
-# 2. 누가 “TF가 오류를 내지 않았으니 좌표계는 맞다”고 합니다. 어떻게 답하겠습니까?
-# 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
-#
-# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞았는지뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
-
 # %% [markdown] lang="en" name="stop-why" slide="skip"
+# ## Stop the robot's programs
+#
 # The last cell stops the robot's programs, as Ctrl-C would.
 
 # %% [markdown] lang="ko" name="stop-why" slide="skip"
+# ## 로봇의 프로그램 멈추기
+#
 # 마지막 셀은 Ctrl-C처럼 로봇의 프로그램을 모두 멈춥니다.
 
 # %% name="stop" slide="skip"

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title"
 # # Exercises 02 · Axes and quaternions
 #
-# Seven tasks, 21 points, about 40 minutes. The page of this chapter is [here](../../notebooks/en/02_axes_and_quaternions.ipynb).
+# Eight tasks, 24 points, about 45 minutes. The page of this chapter is [here](../../notebooks/en/02_axes_and_quaternions.ipynb).
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # The reply to a wrong answer names the mistake. `hint("E2.1")` gives the first of three hints.
@@ -12,7 +12,7 @@
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 02 · 좌표축과 쿼터니언
 #
-# 과제 일곱 개, 21점, 약 40분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
+# 과제 여덟 개, 24점, 약 45분입니다. 이 장의 본문은 [여기](../../notebooks/ko/02_axes_and_quaternions.ipynb)에 있습니다.
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E2.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
@@ -251,6 +251,34 @@ off_mm = 1000.0 * e2_7.range_m * abs(math.pi / 2 - e2_7.written_yaw_rad)  # [mm]
 
 # %% name="e2-7-check" tags=["check"]
 check("E2.7", off_mm)
+
+# %% [markdown] lang="en" name="e2-8"
+# ## E2.8 · From a pixel to a point (3 points)
+#
+# A depth camera sees a part at the pixel (`u`, `v`). Its depth image has `depth_m` metres there.
+# `camera_info` has `fx`, `fy`, `cx` and `cy` [pixels]. The camera is at `base_p_camera` [m] in `base_link`, looks straight ahead and is not rotated.
+# Where is the part in `base_link`? Predict first: is it left or right of the camera, above or below?
+
+# %% [markdown] lang="ko" name="e2-8"
+# ## E2.8 · 픽셀에서 점으로 (3점)
+#
+# 깊이 카메라가 픽셀 (`u`, `v`)에서 부품을 봅니다. 깊이 영상의 그 자리에는 `depth_m` 미터가 들어 있습니다.
+# `camera_info`에는 `fx`, `fy`, `cx`, `cy` [픽셀]가 들어 있습니다. 카메라는 `base_link` 기준 `base_p_camera` [m]에 회전 없이 달려 정면을 봅니다.
+# 부품은 `base_link` 기준으로 어디에 있습니까? 먼저 예측하십시오. 카메라의 왼쪽입니까, 오른쪽입니까? 위입니까, 아래입니까?
+
+# %% name="e2-8-given"
+e2_8 = task("E2.8")
+
+# %% name="e2-8-answer" tags=["answer"]
+# BEGIN SOLUTION
+ray = ((e2_8.u - e2_8.cx) / e2_8.fx, (e2_8.v - e2_8.cy) / e2_8.fy, 1.0)
+optical_p_part = [e2_8.depth_m * number for number in ray]
+base_T_optical = Transform(e2_8.base_p_camera) @ Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
+base_p_part = base_T_optical.apply(optical_p_part)  # (x, y, z) in base_link [m]
+# END SOLUTION
+
+# %% name="e2-8-check" tags=["check"]
+check("E2.8", base_p_part)
 
 # %% [markdown] lang="en" name="end"
 # ## Done
