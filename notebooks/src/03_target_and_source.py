@@ -355,7 +355,7 @@ def turn_the_mount(yaw):
     lesson.draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
 
 
-scene.look(eye=(-3.4, -2.0, 2.4))
+scene.look(eye=(-2.7, -1.7, 2.0))
 scene.sweep('yaw', [math.radians(angle) for angle in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
 scene
 
@@ -1026,6 +1026,10 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # ros2 run tf2_ros tf2_echo map base_link           # 지도 기준의 로봇
 # ```
 
+# %% name="stop" tags=["collapsed"] slide="skip"
+graph.stop()
+rclpy.try_shutdown()
+
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
@@ -1079,10 +1083,6 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
-
-# %% name="stop" tags=["collapsed"] slide="skip"
-graph.stop()
-rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="core-end" slide="skip"
 # ## Enough to go on
