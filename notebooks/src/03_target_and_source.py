@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 03 · Target and source
 #
-# **In which frame is the data, and in which do you want it?** · about 60 minutes · builds on 01 and 02
+# **In which frame is the data, and in which do you want it?** · about 35 minutes · builds on 01 and 02
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 03 · 목표 좌표계와 원본 좌표계
 #
-# **어느 기준의 데이터를 어느 기준으로 바꿀까요?** · 약 60분 · 01, 02장을 바탕으로 합니다
+# **어느 기준의 데이터를 어느 기준으로 바꿀까요?** · 약 35분 · 01, 02장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -35,14 +35,14 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# These facts come from earlier chapters. If one is new, accept it for now.
+# From earlier chapters. If a fact is new, accept it for now.
 #
 # - A position is a value **in a [[frame]]**: `(2, 0, 0)` alone means nothing, `(2, 0, 0)` in `laser_frame` does.
 # - x points forward, y left, z up. A positive yaw rotates to the left.
 # - A rotation is a quaternion (x, y, z, w). "No rotation" is (0, 0, 0, 1).
 # - A sensor's mount does not change, so its transform is published once, as a static transform.
 # - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` means the latest transform.
-# - In the workbook's code, `base_T_laser.apply(laser_p)` transforms a point from laser_frame into base_link. `Transform.from_rpy(yaw=…, translation=…)` creates such a transform. `LATEST` is the workbook's name for `Time()`.
+# - In this workbook `Transform.from_rpy(yaw=…, translation=…)` creates a transform, and `base_T_laser.apply(laser_p)` applies one to a point.
 #
 # In this chapter the robot stands still, so the time of a transform does not matter. It does in chapter 08.
 
@@ -56,7 +56,7 @@
 # - 회전은 쿼터니언 (x, y, z, w)이고, “회전 없음”은 (0, 0, 0, 1)입니다.
 # - 센서의 장착 변환은 바뀌지 않으므로 정적 변환으로 한 번만 발행합니다.
 # - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
-# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 바꿉니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만듭니다. `LATEST`는 `Time()`과 같은 뜻이며, 뒤에 나오는 `buffer.core`에서 씁니다.
+# - 이 워크북에서 `Transform.from_rpy(yaw=…, translation=…)`은 변환을 만들고, `base_T_laser.apply(laser_p)`는 변환을 점에 적용합니다.
 #
 # 이 장에서는 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
@@ -64,22 +64,22 @@
 # %load_ext tflab
 import math
 
-from tflab.core import LATEST, Transform
+from tflab.core import Transform
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
 # A robot's IMU, which measures rotation and acceleration, was mounted rotated. Its readings came out as if a transform were reversed.
-# So the team published a *wrong* mount, and the readings came out right.
+# The team published a *wrong* mount, and the readings came out right.
 # Later they proposed to swap two frames in the program that uses the IMU. The maintainers answered that the target comes first, and that the program already passes it first.
 #
 # They were not the only ones.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
-# Three more people asked the same. ROS 2 brought a new `tf2_echo`, and the question came again in 2021 and in 2024.
-# Many robots estimate their pose with the package robot_localization. Even its maintainer wrote about frequently confusing the two frames.
+# Three more people asked the same. ROS 2 brought `tf2_echo`, and the question came again in 2021 and in 2024.
+# Even the maintainer of a package that estimates the pose of many robots wrote about frequently confusing the two frames.
 #
-# Now the strange part: the tool's numbers were right all along, and most of the questions were good ones.
+# The strange part: the tool's numbers were right all along.
 # The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
@@ -94,7 +94,7 @@ from tflab.workbook import lesson
 # 같은 질문이 세 번 더 올라왔습니다. ROS 2에서 `tf2_echo`로 바뀐 뒤에도 2021년에 한 번, 2024년에 또 한 번 올라왔습니다.
 # 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
 #
-# 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
+# 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았습니다.
 # 모두 <b>“A에서 B로 가는 변환”</b>을 물었는데, 이 말은 두 가지로 읽힙니다.
 
 # %% [markdown] lang="en" name="ten-years-sources" slide="skip"
@@ -103,7 +103,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="ten-years-sources" slide="skip"
 # *더 읽기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
-# %% name="two-readings" slide="subslide"
+# %% name="two-readings" tags=["collapsed"] slide="subslide"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
@@ -112,8 +112,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # The right picture is for an engineer who transforms data. The data is in the robot's frame and is *wanted* in the laser's frame. The numbers are (0, 0.20, −0.15), along the laser's axes.
 # Both say "from base_link to laser_frame", and each needs the inverse of the other's transform.
 #
-# The solution is a sentence with neither "from" nor "to".
-# You will see it soon. First, make the mistake yourself.
+# The solution is a sentence with neither "from" nor "to". First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
 # *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
@@ -122,8 +121,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 비교해 보세요.
 # 둘 다 “base_link에서 laser_frame으로”라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
-# 해결책은 “…에서 …(으)로”라고 말하지 않는 문장 하나입니다.
-# 그 문장은 조금 뒤에 나옵니다. 먼저 예측하고 실행해 봅시다.
+# 해결책은 “…에서 …(으)로”라고 말하지 않는 문장 하나입니다. 먼저 예측하고 실행해 봅시다.
 
 # %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
 # Let two people act it: one is base_link, one is laser_frame, an object lies between them.
@@ -277,7 +275,8 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # Name a transform by both frames, the parent first: `base_T_laser`. Read it as "laser, expressed in base".
 #
-# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. In the result of its lookup, `.transform` is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
+# The next cell looks this transform up with ROS's own call, which returns a message.
+# `look_up` converts the message into a `Transform` of this workbook: you can apply it to a point, and multiply it with `@`.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -297,10 +296,20 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # 변환의 이름에는 두 좌표계를 모두 적고, 부모를 앞에 씁니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
 #
-# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 그 결과의 `.transform`은 메시지가 아니라, `@`로 합성하고 점에 적용할 수 있는 값입니다.
+# 다음 셀은 ROS의 호출 그대로 이 변환을 조회합니다. 답은 메시지입니다.
+# `look_up`은 메시지를 이 워크북의 `Transform`으로 바꿉니다. `Transform`은 점에 적용하고 `@`로 합성할 수 있습니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
-base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
+from rclpy.time import Time
+from tflab.ros.convert import stamped_from_msg
+
+
+def look_up(target, source):
+    message = buffer.lookup_transform(target, source, Time())  # as on a robot
+    return stamped_from_msg(message).transform
+
+
+base_T_laser = look_up('base_link', 'laser_frame')
 
 print('where the laser is mounted ', lesson.fmt_all(base_T_laser.translation))
 print('its origin, in base_link   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
@@ -309,9 +318,8 @@ print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
 # (The next section explains the order of the two names in the call.)
 #
-# Look at the first two lines. They must be equal, and that shows in which direction a transform works.
-# The laser's origin is (0, 0, 0) in `laser_frame`, and the transform gives the position of the laser in `base_link`.
-# You put in coordinates in the child, and you get coordinates in the parent.
+# The first two lines must be equal, and that shows in which direction a transform works.
+# The laser's origin is (0, 0, 0) in `laser_frame`, and the transform gives its position in `base_link`: coordinates in the child go in, coordinates in the parent come out.
 
 # %% [markdown] lang="ko" name="one-transform-numbers-seen"
 # (호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
@@ -328,16 +336,15 @@ print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to rotate the view, and move the slider to rotate the mount.
-# The grey, hatched frame shows the inverse transform. Its beam ends where the inverse would place the corner.
+# The purple beam runs from the laser to the corner. The grey, hatched frame is the inverse transform, and the grey beam ends where it would place the corner.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 마우스로 끌어 시점을 돌려 보고, 아래 슬라이더를 움직여 레이저를 회전시켜 보세요.
-# 빗금 친 회색 좌표계는 역변환입니다. 역변환을 쓰면 모서리가 놓일 자리도 함께 그렸습니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀.
+# 보라색 빔은 레이저에서 모서리까지입니다. 빗금 친 회색 좌표계는 역변환이고, 회색 빔의 끝은 역변환을 쓰면 모서리가 놓일 자리입니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀, in base_link; grid of 1 m = base_link 기준, 눈금 한 칸이 1미터.
 
-# %% name="in-3d-function" slide="skip"
+# %% name="in-3d-scene" tags=["interactive", "collapsed"]
 scene = lesson.Scene(height_px=380)
 lesson.draw_frame(scene, 'base_link', Transform(), length_m=0.3)
-
 
 def turn_the_mount(yaw):
     mount = Transform.from_rpy(yaw=yaw, translation=(0.20, 0.0, 0.15))
@@ -347,14 +354,17 @@ def turn_the_mount(yaw):
     lesson.draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', lesson.ACCENT)
     lesson.draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
 
-# %% name="in-3d-scene" tags=["interactive"]
-yaws = [math.radians(degrees) for degrees in range(-180, 181, 15)]
-scene.sweep('yaw', yaws, turn_the_mount, unit='rad', start=18)
+
+scene.look(eye=(-2.7, -1.7, 2.0))
+scene.sweep('yaw', [math.radians(angle) for angle in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
 scene
 
 # %% name="in-3d-still" tags=["static"]
+from tflab.views.projection import eye_at
+
 lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
-                  ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
+                  ghost_points={'swapped': (0.0, -1.8, -0.15)}, eye=eye_at(math.radians(-150), math.radians(30)),
+                  fixed_frame='base_link', length_m=0.35, caption='in base_link; grid of 1 m')
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The sentence
@@ -414,93 +424,14 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # 칠판에 “A에서 B로”의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
 # 누가 “어디에서 어디로”라고 말하면 잠시 멈추고 문장으로 고쳐 말하게 합니다.
 
-# %% [markdown] lang="en" name="one-edge" slide="subslide"
-# ### One transform, two questions
-#
-# A node publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
-#
-# 1. In which frame were 0.10 and 0.30 measured?
-# 2. A point is expressed in `camera_link`. Which call gives the transform into `base_link`?
-#
-# <details><summary>Answers, and the trap</summary>
-#
-# 1. In `base_link`, the parent: the camera is 10 cm in front of it and 30 cm above it.
-# 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, expressed in. The answer is the published transform itself.
-#
-# The trap is the arrow. It points from parent to child and shows which frame is the parent.
-# If you read it as the direction of the data, you swap the frames in the second answer.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="one-edge" slide="subslide"
-# ### 연결 하나, 조회 두 개
-#
-# 어느 노드가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
-#
-# 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값일까요?
-# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 바꿀까요?
-#
-# <details><summary>답과 함정</summary>
-#
-# 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm인 곳에 카메라가 있습니다.
-# 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 기준이 될 좌표계(목표)가 먼저, 지금 기준(원본)이 다음입니다. 답은 발행된 변환 그대로입니다.
-#
-# 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 나타냅니다.
-# 이것을 데이터가 바뀌는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
-# You can choose the two frames in any of the forms below; the other forms show the same choice.
-# On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
-# Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
-
-# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
-# 메뉴에서 좌표계를 고르면 문장과 호출과 행렬이 함께 바뀝니다.
-# 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
-# *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
-# 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
-
-# %% name="the-sentence-panel" tags=["interactive"] slide="subslide"
-lesson.sentence_panel(
-    {
-        'base_link': Transform(),
-        'laser_frame': base_T_laser,
-        'rear_laser': Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.15)),
-    },
-    'base_link',
-    'laser_frame',
-)
-
-# %% name="the-sentence-still" tags=["static"]
-lesson.draw_question(buffer, 'base_link', 'laser_frame')
-
-# %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
-# <details><summary>A pair with only one sign of difference</summary>
-#
-# `base_link` and `rear_laser`, a laser at the back that is rotated by 180°.
-# Its matrix and the inverse differ only in the sign of z.
-# Remember this laser. It misleads a whole team later on this page.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="the-sentence-panel-answer" slide="skip"
-# <details><summary>부호 하나만 다른 쌍</summary>
-#
-# `base_link`와 `rear_laser`입니다. 뒤쪽에 180° 회전시켜 단 레이저입니다.
-# 목표와 원본을 맞바꾸면 행렬에서 이동의 z만 부호가 달라집니다.
-# 이 레이저를 기억해 두십시오. 뒤에서 한 팀이 이런 레이저로 시험하다가 실수를 놓칩니다.
-#
-# </details>
-
 # %% [markdown] lang="en" name="dominoes" slide="slide"
 # ## Dominoes
 #
 # The laser is mounted on the robot. The robot moves in [[odom|`odom`]], the frame of its wheel odometry. The pose of `odom` is given in [[map|`map`]], the frame of the building.
 # [[base_footprint|`base_footprint`]] is a frame on the floor, directly below `base_link`.
 #
-# The next cells publish the rest of the robot from Python: one message for each edge, that is, for each pair of parent and child.
-# Read each message as above: the parent, the child, the child's position and its rotation.
+# The next cells publish the rest of the robot. Each `edge(…)` is one message: the parent, the child, the child's position in the parent, and its yaw.
+# (The folded cell defines `edge`.)
 
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
@@ -508,12 +439,11 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # 레이저는 로봇에 달려 있습니다. 로봇의 포즈는 [[odom|`odom`]](바퀴로 잰 위치의 기준)을 기준으로 정해지고, `odom`의 포즈는 [[map|`map`]](건물 지도의 기준)을 기준으로 정해집니다.
 # [[base_footprint|`base_footprint`]]는 로봇 중심을 바닥에 투영한 자리입니다.
 #
-# 나머지를 연결해 봅시다. 이번에는 파이썬으로 합니다. 연결(edge, 부모와 자식의 쌍) 하나에 메시지가 하나입니다.
-# 앞에서 본 메시지처럼 읽어 보세요. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 회전해 있을까요?
+# 다음 셀은 나머지 연결을 발행합니다. `edge(…)` 하나가 메시지 하나이며, 차례로 부모, 자식, 부모 기준인 자식의 위치, yaw입니다.
+# (`edge`는 접힌 셀에서 정의합니다.)
 
-# %% name="an-edge" slide="subslide"
+# %% name="an-edge" tags=["collapsed"] slide="skip"
 from geometry_msgs.msg import TransformStamped
-from tf2_ros import StaticTransformBroadcaster
 
 
 def edge(parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):
@@ -528,6 +458,8 @@ def edge(parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):
     return t
 
 # %% name="the-rest-of-the-robot"
+from tf2_ros import StaticTransformBroadcaster
+
 broadcaster = StaticTransformBroadcaster(node)
 broadcaster.sendTransform(
     [
@@ -537,17 +469,17 @@ broadcaster.sendTransform(
         edge('base_link', 'camera_link', x=0.10, z=0.30),
     ]
 )
+graph.run(seconds=0.5)
 
 # %% [markdown] lang="en" name="the-tree-why" slide="subslide"
 # The robot stands still in this chapter, so every edge may be static. The picture marks a static edge with **S**.
-# (A ROS 2 message does not contain the name of the node that published it, so the last column is `default_authority` everywhere.)
+# (The last column is `default_authority` everywhere: a ROS 2 message does not name its publisher.)
 
 # %% [markdown] lang="ko" name="the-tree-why" slide="subslide"
 # 이 장에서는 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
 # (ROS 2는 누가 발행한 연결인지 전달하지 않으므로 마지막 열은 모두 `default_authority`입니다.)
 
-# %% name="the-tree"
-graph.run(seconds=0.5)
+# %% name="the-tree" tags=["collapsed"]
 lesson.draw_buffer(buffer)
 
 # %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
@@ -570,7 +502,7 @@ lesson.draw_buffer(buffer)
 # 진짜 도미노나, 양쪽 칸에 좌표계 이름을 적은 종이 카드 여섯 장을 준비합니다.
 # 한 사람에게 목표 map, 원본 laser가 되도록 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
 
-# %% name="dominoes-that-fit"
+# %% name="dominoes-that-fit" tags=["collapsed"]
 lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="worked-example" slide="subslide"
@@ -586,8 +518,8 @@ lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'lase
 # 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 비교합니다.
 
 # %% name="worked-example-by-hand"
-map_T_odom = buffer.core.lookup_transform('map', 'odom', LATEST).transform
-odom_T_base = buffer.core.lookup_transform('odom', 'base_link', LATEST).transform
+map_T_odom = look_up('map', 'odom')
+odom_T_base = look_up('odom', 'base_link')
 
 laser_p_corner = (2.0, 0.0, 0.0)
 base_p_corner = base_T_laser.apply(laser_p_corner)
@@ -598,10 +530,9 @@ for frame, point in (('base', base_p_corner), ('odom', odom_p_corner), ('map', m
 
 # %% name="worked-example-in-one"
 map_T_laser = map_T_odom @ odom_T_base @ base_T_laser
-asked = buffer.core.lookup_transform('map', 'laser_frame', LATEST).transform
 
 print('one product   ', lesson.fmt_all(map_T_laser.apply(laser_p_corner)))
-print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
+print('one lookup    ', lesson.fmt_all(look_up('map', 'laser_frame').apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order" slide="subslide"
 # ### Dominoes that do not fit
@@ -615,12 +546,12 @@ print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 # 누군가 다른 순서로 합성합니다.
 # 그림에서는 바로 드러납니다. *그림 읽기:* A is not B = A와 B가 다름.
 
-# %% name="dominoes-that-do-not-fit"
+# %% name="dominoes-that-do-not-fit" tags=["collapsed"]
 lesson.draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
 
 # %% name="wrong-order-in-numbers" slide="fragment"
 nonsense = map_T_odom @ base_T_laser @ odom_T_base
-print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
+print('the corner, in the wrong order', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order-seen"
 # Python reports no error: it multiplies any two transforms.
@@ -637,91 +568,6 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 
 # %% [markdown] lang="ko" name="wrong-order-notes" slide="notes"
 # 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 찾을 수 있겠는지 묻습니다. 그다음 같은 줄을 두 좌표계가 드러나는 이름으로 다시 씁니다.
-
-# %% [markdown] lang="en" name="up-up-down" slide="slide"
-# ## Up, then down
-#
-# No node publishes the pose of the laser in the camera's frame.
-# They are siblings: `base_link` is the parent of both.
-# You can still look it up, because a lookup walks the tree: **up** from the source to the nearest frame above both, then **down** to the target.
-# On the way up it uses the transforms as published. On the way down it uses their inverses.
-
-# %% [markdown] lang="ko" name="up-up-down" slide="slide"
-# ## 올라갔다가 내려갑니다
-#
-# 카메라 기준으로 레이저가 어디에 있는지 발행한 노드는 없습니다.
-# 둘은 형제 좌표계입니다. 부모가 모두 `base_link`입니다.
-# 그래도 조회할 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
-# 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 역변환을 씁니다.
-
-# %% name="siblings"
-base_T_camera = buffer.core.lookup_transform('base_link', 'camera_link', LATEST).transform
-camera_T_laser = base_T_camera.inverse() @ base_T_laser
-asked = buffer.core.lookup_transform('camera_link', 'laser_frame', LATEST)
-
-print('down after up ', lesson.fmt_all(camera_T_laser.translation))
-print('one lookup    ', lesson.fmt_all(asked.transform.translation))
-
-# %% name="siblings-as-dominoes"
-lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
-
-# %% [markdown] lang="en" name="up-up-down-notes" slide="notes"
-# Walk the tree with a finger: going up say "as published", going down say "inverse". Then ask for map in laser_frame: how many are inverted? All of them.
-
-# %% [markdown] lang="ko" name="up-up-down-notes" slide="notes"
-# 손가락으로 트리를 따라갑니다. 올라갈 때는 “발행된 그대로”, 내려갈 때는 “역변환”이라고 말합니다. 그다음 laser_frame 기준의 map을 묻습니다. 역변환이 몇 개입니까? 전부입니다.
-
-# %% name="siblings-in-space" slide="subslide"
-places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}
-lesson.draw_sentence(places, asked)
-
-# %% [markdown] lang="en" name="siblings-seen"
-# The laser is 10 cm in front of the camera and 15 cm below it. Check that with the numbers of both mounts.
-# The domino `camera_link | base_link` is the inverse of the published `base_link | camera_link`.
-# The next section shows how `inverse()` calculates it.
-
-# %% [markdown] lang="ko" name="siblings-seen"
-# 레이저는 카메라보다 10 cm 앞, 15 cm 아래에 있습니다. 두 센서의 장착 위치로 확인해 보세요.
-# 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`의 역변환입니다.
-# 역변환은 `inverse()`로 구합니다. 역변환에서 무엇이 달라지는지 이제 봅시다.
-
-# %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Your turn, with two blanks
-#
-# A goal is given in `map` at (4, 1, 0). Where is it relative to the robot: ahead, behind, left, right?
-# Fill in both blanks, and run the cell.
-
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸을 채워 보세요
-#
-# 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇을 기준으로 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
-# 빈칸 두 개를 채우고 실행해 보세요.
-
-# %% name="faded-blanks"
-wanted_in = ...  # blank 1: a frame's name, in quotes
-expressed_in = ...  # blank 2
-
-if ... not in (wanted_in, expressed_in):
-    answer = buffer.core.lookup_transform(wanted_in, expressed_in, LATEST).transform
-    print('the goal is at', lesson.fmt_all(answer.apply((4.0, 1.0, 0.0))), 'in', wanted_in)
-
-# %% [markdown] lang="en" name="faded-answer"
-# <details><summary>Compare</summary>
-#
-# Expressed in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` gives the goal at (−2, 0, −0.1).
-# That is 2 m behind the robot, and 10 cm below `base_link`, on the floor.
-# If you got (3, 7, 0.1), you swapped the two names, and your robot drives somewhere else.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="faded-answer"
-# <details><summary>맞춰 보기</summary>
-#
-# `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목적지는 (−2, 0, −0.1)입니다.
-# 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
-# (3, 7, 0.1)이 나왔다면 두 이름을 바꿔 쓴 것이고, 로봇은 엉뚱한 곳으로 갑니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="inverse" slide="slide"
 # ## The inverse
@@ -779,21 +625,20 @@ flipped = Transform((-x, -y, -z), laser_T_base.rotation)  # the minus sign alone
 print('there and back      ', lesson.fmt_all(laser_T_base.apply(base_p_corner)))
 print('there and "flipped" ', lesson.fmt_all(flipped.apply(base_p_corner)))
 
-# %% name="inverse-seen-from-the-laser"
+# %% name="inverse-seen-from-the-laser" tags=["collapsed"]
 lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
-                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075)
+                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075,
+                  caption='from above, in laser_frame; grid of 0.05 m')
 
 # %% [markdown] lang="en" name="inverse-seen"
 # If you transform a point there and back, it must return to where it was: (2, 0, 0).
 # With only the sign changed it misses by 28 cm, the length of a shoe. That is just small enough to look like a bad calibration.
-# People have adjusted screws for days because of smaller errors.
 
 # %% [markdown] lang="ko" name="inverse-seen"
-# *그림 읽기:* sign flipped = 부호만 바꾼 것.
+# *그림 읽기:* from above, in laser_frame; grid of 0.05 m = 위에서 본 모습, laser_frame 기준, 눈금 한 칸이 0.05 m. sign flipped = 부호만 바꾼 것.
 #
 # 변환한 다음 역변환하면 처음의 점인 (2, 0, 0)이 나와야 합니다.
 # 부호만 바꾼 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 쉬운 크기입니다.
-# 이보다 작은 차이 때문에 며칠씩 센서의 나사를 조정한 사람도 있습니다.
 
 # %% [markdown] lang="en" name="inverse-seen-notes" slide="notes"
 # Really let one person stand up. It takes twenty seconds, and nobody forgets it.
@@ -804,56 +649,6 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # 정말로 한 사람을 일으켜 세웁니다. 20초면 되고, 오래 기억에 남습니다.
 # 그다음 묻습니다. 부호만 바꾸어도 맞는 회전은 몇 도입니까? 0°뿐입니다. 얼마나 틀립니까?
 # 이동 거리의 두 배에 회전각 절반의 사인을 곱한 만큼, 2 × 0.20 m × sin 45° = 0.28 m입니다.
-
-# %% [markdown] lang="en" name="try-it" slide="slide"
-# ## Try it: rotate the mount
-#
-# Move the slider, and watch two mistakes.
-#
-# 1. At which yaw does "turn forgotten" (the rotation left out) make no difference?
-# 2. At which yaw do you not see "swapped" from above? Look at z as well.
-# 3. At which yaw is the error of the swap largest?
-
-# %% [markdown] lang="ko" name="try-it" slide="slide"
-# ## 직접 해 보세요: 레이저 회전시키기
-#
-# 슬라이더를 움직이며 두 가지 실수를 살펴보세요.
-#
-# 1. “turn forgotten”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
-# 2. 위에서 볼 때 “swapped”(바꿔 씀)는 yaw가 얼마일 때 정답과 겹쳐 보일까요? z도 살펴보세요.
-# 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
-#
-# *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
-
-# %% name="try-it-panel" tags=["interactive"]
-lesson.mount_panel()
-
-# %% name="try-it-still" tags=["static"]
-lesson.draw_mount(math.pi / 2)
-
-# %% [markdown] lang="en" name="try-it-answers"
-# <details><summary>What I found</summary>
-#
-# 1. At yaw 0, because there is no rotation that you could leave out.
-# 2. At ±π, with a laser that faces backwards. From above the swap cannot be seen, and z is off by 0.30 m, which a flat 2D scan does not show.
-# 3. Near ±π/2, by 3.8 m here: the corner is on the other side of the robot.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="try-it-answers"
-# <details><summary>찾은 것 확인하기</summary>
-#
-# 1. yaw가 0일 때입니다. 회전이 없으면 빠뜨릴 것도 없습니다.
-# 2. ±π, 즉 뒤를 보는 레이저입니다. 위에서 보면 전혀 드러나지 않습니다. z는 0.30 m 틀리지만 평면 2D 스캔에는 보이지 않습니다.
-# 3. ±π/2 근처입니다. 여기서는 3.8 m나 빗나가서, 모서리가 로봇 반대편에 나타납니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="try-it-notes" slide="notes"
-# Let a student move the slider. The class calls "stop" when a wrong position coincides with the right one. Then ask what a test at that angle would have found.
-
-# %% [markdown] lang="ko" name="try-it-notes" slide="notes"
-# 한 사람이 슬라이더를 움직이고, 잘못된 답이 정답과 겹치는 순간 모두가 “멈춰”라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
 
 # %% [markdown] lang="en" name="echo-help" slide="slide"
 # ## The tool that caused it all
@@ -875,13 +670,11 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="en" name="echo-help-seen"
 # The first argument is the *target* of the lookup, and the help calls it `source_frame`.
 # The first sentence of the help says "from … to …". Two lines later it says, correctly, that data goes the other way.
-# This text has caused ten years of bug reports.
 # Rely on the sentence instead: first the frame *wanted in*, then the frame *expressed in*.
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
 # 첫 문장은 “어디에서 어디로”라고 적었습니다. 두 줄 아래에는 데이터가 그 반대로 바뀐다고 적었고, 이쪽이 맞습니다.
-# 10년 동안 계속된 질문은 바로 이 글에서 나왔습니다.
 # 도움말 대신 앞에서 배운 문장 “원본 기준 데이터를 목표 기준으로 보고 싶다”를 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"
@@ -895,7 +688,7 @@ lesson.draw_mount(math.pi / 2)
 #
 # Here is `tf2_echo base_link laser_frame`.
 # Before you run the second cell: what will the Translation of `tf2_echo laser_frame base_link` be?
-# (`--for 1.5` exists only in this workbook. It stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
+# (`--for 1.5` exists only in this workbook and stops the tool. In a terminal, press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="echo-predict" slide="subslide"
 # ### 첫 출력에서 둘째 출력 예측하기
@@ -970,7 +763,7 @@ print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 # 다시 **예측**해 봅시다. 이번에는 얼마나 어긋날까요?
 
 # %% name="swap-on-the-side" tags=["predicted"] slide="fragment"
-answer = buffer.core.lookup_transform('laser_frame', 'base_link', LATEST).transform  # swapped
+answer = look_up('laser_frame', 'base_link')  # swapped
 right, swapped = base_T_laser.apply(seen_at), answer.apply(seen_at)
 print('right  ', lesson.fmt_all(right))
 print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2f} m')
@@ -981,9 +774,6 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # There is none.
 # Both lookups are valid, and TF2 cannot know which one you meant.
 # The shelf is on the robot's left. The swapped answer places it on the right, so the robot drives into the shelf.
-#
-# An unknown frame name *does* raise an exception, and the message tells you in which argument you used it.
-# (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
 # %% [markdown] lang="ko" name="no-error" slide="subslide"
 # ### 오류 메시지는 어디에 있을까요?
@@ -991,40 +781,16 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # 없습니다.
 # 두 조회 모두 올바른 조회이고, TF2는 여러분이 어느 쪽을 뜻했는지 알 길이 없습니다.
 # 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하다가 선반을 들이받습니다.
-#
-# 오류가 *나는* 것은 버퍼에 없는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 인자로 썼는지 메시지에 나옵니다.
-# (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
-
-# %% name="unknown-name" tags=["raises-exception"]
-from rclpy.time import Time
-
-# %xmode Minimal
-buffer.lookup_transform('laser_fame', 'base_link', Time())
-
-# %% [markdown] lang="en" name="unknown-name-seen"
-# `argument target_frame`: you passed the misspelt name as the target.
-# If you meant it as the *source*, this message is the only hint at a swap that you ever get. Read it to the end.
-#
-# A name that begins with a slash, common in ROS 1, cannot be looked up at all:
-
-# %% [markdown] lang="ko" name="unknown-name-seen"
-# `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
-# 이 이름을 *원본*으로 쓰려고 했다면, 두 인자를 바꿔 쓴 것입니다. 그것을 알려 주는 것은 이 한 줄뿐이므로 끝까지 읽으십시오.
-#
-# 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 조회에 쓸 수 없습니다.
-
-# %% name="leading-slash" tags=["raises-exception"]
-buffer.lookup_transform('/base_link', 'laser_frame', Time())
 
 # %% [markdown] lang="en" name="safest-call"
 # The safest call is the one that you used at the start: `buffer.transform(message, 'base_link')`.
 # The message carries its source in `header.frame_id`. You only name the target, so you cannot swap anything.
-# If you look up and transform in two calls, `lookup_transform` and `tf2_geometry_msgs.do_transform_point(message, transform)`, you have to get the order right yourself. The exercise contains such a node.
+# Only if you look up and transform in two calls do you have to get the order right yourself.
 
 # %% [markdown] lang="ko" name="safest-call"
 # 가장 안전한 호출은 처음에 쓴 `buffer.transform(message, 'base_link')`입니다.
 # 원본은 메시지의 `header.frame_id`에 들어 있으므로 목표만 정하면 되고, 바꿔 쓸 것이 없습니다.
-# 먼저 조회하고 그다음 `tf2_geometry_msgs.do_transform_point(message, transform)`으로 바꾸는 코드에서는 두 이름의 순서를 직접 지켜야 합니다. 연습 문제에 그런 노드가 나옵니다.
+# 조회와 변환을 두 호출로 나누어 쓸 때에만 두 이름의 순서를 직접 지켜야 합니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1041,18 +807,16 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # <details><summary>I chose 1</summary>
 #
 # Say the sentence: data expressed in `camera_optical_frame`, wanted in `base_link`. Wanted comes first.
-# Your line transforms data of the robot into the camera's frame. You thought "from the camera to the base".
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
 # The order is right, the source is not: the apple is expressed in the *optical* frame, whose axes point in other directions (chapter 02).
-# The source is what `header.frame_id` names, not the frame of the camera's housing.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: expressed in `camera_optical_frame`, wanted in `base_link`. The names in the call are those of the sentence.
+# Yes: expressed in `camera_optical_frame`, wanted in `base_link`.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -1077,18 +841,16 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # <details><summary>1번을 골랐습니다</summary>
 #
 # 문장으로 말해 보십시오. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 기준이 될 좌표계(목표)를 먼저 씁니다.
-# 고른 호출은 로봇 기준 데이터를 카메라 기준으로 바꿉니다. “카메라에서 베이스로”라는 말 때문에 순서가 바뀌기 쉽습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
 # 순서는 맞지만 원본이 다릅니다. 사과는 축 방향이 다른 *광학* 좌표계 기준입니다(02장).
-# 원본은 부품의 이름이 아니라 `header.frame_id`에 적힌 이름입니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 호출의 이름이 문장의 이름과 같습니다.
+# 맞습니다. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -1109,45 +871,133 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# The code stays the same.
-# Copy the imports of ROS 2, the class and `main` into a file, and call `main()` at its end. Then `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
-# Directly after its start a listener has received nothing, so a real node must handle "not available yet". Chapter 09 shows how.
+# Once a second this node looks up where the laser is mounted, and compares that with the drawing.
+# Save it as `where_is_the_laser.py`, and put the numbers of your own drawing into `DRAWING`.
+#
+# ```python
+# # tf_lab_py/where_is_the_laser.py
+# import math
+#
+# import rclpy
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.time import Time
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+# DRAWING = (0.20, 0.00, 0.15)  # laser_frame in base_link [m]
+#
+#
+# class WhereIsTheLaser(Node):
+#     def __init__(self):
+#         super().__init__('where_is_the_laser')
+#         self.buffer = Buffer()
+#         self.listener = TransformListener(self.buffer, self)
+#         self.timer = self.create_timer(1.0, self.compare)
+#
+#     def compare(self):
+#         try:
+#             t = self.buffer.lookup_transform('base_link', 'laser_frame', Time())  # wanted in, expressed in
+#         except TransformException as error:
+#             self.get_logger().warning(f'not yet: {error}')
+#             return
+#         p = t.transform.translation
+#         off = math.dist((p.x, p.y, p.z), DRAWING)
+#         text = f'laser in {t.header.frame_id}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f}), {off:.2f} m off'
+#         if off > 0.01:
+#             self.get_logger().error(text)
+#         else:
+#             self.get_logger().info(text)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = WhereIsTheLaser()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# In the result of a lookup, `header.frame_id` is the target and `child_frame_id` is the source.
+# Directly after its start a listener has received nothing, so the node has to handle "not yet". Chapter 09 shows how to wait.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 코드는 그대로 씁니다.
-# ROS 2의 import, 클래스, `main`을 파일 하나에 복사하고, 맨 아래에 `main()` 호출을 넣습니다. 그러면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
-# 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 실제 노드에서는 “아직 없음”이라는 결과도 처리해야 합니다. 이것은 09장의 주제입니다.
-
-# %% name="on-the-robot-node" slide="subslide"
-class WhereIsTheLaser(Node):
-    def __init__(self):
-        super().__init__('where_is_the_laser')
-        self.tf_buffer = Buffer()
-        self.tf_listener = TransformListener(self.tf_buffer, self)
-        self.create_timer(1.0, self.tell)
-
-    def tell(self):
-        try:
-            t = self.tf_buffer.lookup_transform('map', 'laser_frame', Time())  # wanted in, expressed in
-        except TransformException as error:
-            self.get_logger().warning(f'not yet: {error}')
-            return
-        p = t.transform.translation
-        self.get_logger().info(f'laser in {t.header.frame_id}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f})')
-
-# %% name="on-the-robot-main"
-def main():
-    rclpy.init()
-    rclpy.spin(WhereIsTheLaser())
-
-
-graph.start(main, name='where_is_the_laser')
-graph.run(seconds=2.5)
+# 이 노드는 1초마다 레이저의 장착 변환을 확인합니다. 발행된 레이저의 위치를 조회하여 도면과 비교합니다.
+# `where_is_the_laser.py`로 저장하고, `DRAWING`에 여러분 로봇의 도면 값을 넣습니다.
+#
+# ```python
+# # tf_lab_py/where_is_the_laser.py
+# import math
+#
+# import rclpy
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.time import Time
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+# DRAWING = (0.20, 0.00, 0.15)  # laser_frame in base_link [m]
+#
+#
+# class WhereIsTheLaser(Node):
+#     def __init__(self):
+#         super().__init__('where_is_the_laser')
+#         self.buffer = Buffer()
+#         self.listener = TransformListener(self.buffer, self)
+#         self.timer = self.create_timer(1.0, self.compare)
+#
+#     def compare(self):
+#         try:
+#             t = self.buffer.lookup_transform('base_link', 'laser_frame', Time())  # wanted in, expressed in
+#         except TransformException as error:
+#             self.get_logger().warning(f'not yet: {error}')
+#             return
+#         p = t.transform.translation
+#         off = math.dist((p.x, p.y, p.z), DRAWING)
+#         text = f'laser in {t.header.frame_id}: ({p.x:.2f}, {p.y:.2f}, {p.z:.2f}), {off:.2f} m off'
+#         if off > 0.01:
+#             self.get_logger().error(text)
+#         else:
+#             self.get_logger().info(text)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = WhereIsTheLaser()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# 조회한 결과에서 `header.frame_id`는 목표이고 `child_frame_id`는 원본입니다.
+# 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 이 노드는 “아직 없음”(not yet)도 처리합니다. 기다리는 방법은 09장에서 다룹니다.
 
 # %% [markdown] lang="en" name="on-the-robot-commands" slide="subslide"
-# In the result of a lookup, `header.frame_id` is the target and `child_frame_id` is the source. The result is the same kind of message as a published transform.
+# On a robot, `python3 where_is_the_laser.py` runs the node. Without ROS, type this into a terminal of JupyterLab. It runs the node beside a publisher of the mount:
+#
+# ```
+# tflab run where_is_the_laser.py --for 5 \
+#     --with "ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 \
+#     --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame"
+# ```
+#
+# Then exchange the names of the two frames in the publisher: now the laser is 0.41 m off.
 #
 # Three commands to type on any robot:
 #
@@ -1156,11 +1006,17 @@ graph.run(seconds=2.5)
 # ros2 run tf2_ros tf2_echo odom base_link          # the robot, by its wheels
 # ros2 run tf2_ros tf2_echo map base_link           # the robot, on the map
 # ```
-#
-# The first argument is the target, the second the source, whatever the help says.
 
 # %% [markdown] lang="ko" name="on-the-robot-commands" slide="subslide"
-# 답에서 `header.frame_id`는 목표이고 `child_frame_id`는 원본입니다. 답도 발행된 것과 같은 종류의 메시지입니다.
+# 로봇에서는 `python3 where_is_the_laser.py`로 실행합니다. ROS가 없으면 JupyterLab의 터미널에 다음을 입력해 보세요. 장착 변환을 발행하는 도구와 함께 노드를 실행합니다.
+#
+# ```
+# tflab run where_is_the_laser.py --for 5 \
+#     --with "ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 \
+#     --yaw 1.5707963 --frame-id base_link --child-frame-id laser_frame"
+# ```
+#
+# 이어서 발행하는 명령에서 두 좌표계의 이름을 맞바꿔 보세요. 이번에는 레이저가 0.41 m 어긋나 있습니다.
 #
 # 어느 로봇에서나 입력해 볼 명령 세 개와 그 뜻입니다.
 #
@@ -1169,13 +1025,8 @@ graph.run(seconds=2.5)
 # ros2 run tf2_ros tf2_echo odom base_link          # odom 기준의 로봇(바퀴로 잰 포즈)
 # ros2 run tf2_ros tf2_echo map base_link           # 지도 기준의 로봇
 # ```
-#
-# 도움말에 어떻게 적혀 있든 첫 인자가 목표, 둘째 인자가 원본입니다.
 
-# %% name="echo-on-the-map" slide="skip"
-# %ros2 --for 1.5 run tf2_ros tf2_echo map base_link
-
-# %% name="stop" slide="skip"
+# %% name="stop" tags=["collapsed"] slide="skip"
 graph.stop()
 rclpy.try_shutdown()
 
@@ -1198,74 +1049,6 @@ rclpy.try_shutdown()
 # - 되돌아가는 변환은 역변환입니다. 반대로 회전시키고, 이동도 회전시켜야 합니다. 부호만으로는 부족합니다.
 # - 바꿔 써도 오류는 나지 않습니다. 180°에서는 드러나지 않고, 90°에서는 드러납니다.
 # - `tf2_echo A B`는 A를 기준으로 B가 어디에 있는지 출력합니다.
-
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. A message contains `(2.0, 0.0, 0.0)` and an empty `frame_id`. May you use it?
-# 2. A wheeled robot turns right. Is its yaw rate positive or negative?
-# 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
-#
-# <details><summary>Answers</summary>
-#
-# 1. No: without a frame you do not know where the point is. Reject it, and log a warning.
-# 2. Negative: z points up, and by the right-hand rule a positive yaw rate turns left.
-# 3. (0, 0, 0, 1). Four zeros are not a valid rotation: each listener rejects the transform, and the frame never appears.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
-# 2. 바퀴 달린 로봇이 오른쪽으로 회전합니다. yaw 속도는 양수입니까, 음수입니까?
-# 3. “회전 없음”을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 안 됩니다. 좌표계 없는 값에는 아무 뜻이 없습니다. 거절하고 로그에 남깁니다.
-# 2. 음수입니다. z가 위를 향하므로 오른손 법칙에 따라 양의 회전은 왼쪽입니다.
-# 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 수신기마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q3
-#
-# Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` returns.
-# Write four or five sentences, then open the list and give yourself a point for each idea.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] A transform gives the position and rotation of the child frame, measured in the parent.
-# - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
-# - [ ] The lookup returns the transform that takes data expressed in *source* into *target*.
-# - [ ] Target and source need not be parent and child. They can be any two frames of one tree, and the lookup follows the path between them.
-# - [ ] `time` is the time of the transform. `Time()` means the latest time for which all edges on the path have data.
-# - [ ] If you swap the two, you get the inverse and no error. With a rotation, the inverse differs in more than the sign.
-#
-# Five or six: you could teach it. Three or four: read "One transform, read twice" again. Fewer: do the predictions again, with a pencil.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q3
-#
-# 변환의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
-# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] 변환은 부모 기준으로 잰 자식 좌표계의 위치와 회전입니다.
-# - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`입니다.
-# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준으로 바꾸는 변환을 반환합니다.
-# - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이의 경로를 따라갑니다.
-# - [ ] `time`은 어느 시각의 변환인지를 정합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
-# - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않습니다. 회전이 있으면 부호만 다른 것이 아닙니다.
-#
-# 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 “변환 하나, 두 가지 읽기”를 다시 읽으십시오. 그보다 적으면 예측부터 다시 해 보십시오.
-#
-# </details>
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -1301,12 +1084,404 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that tf2 does not check this.
-# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
-# `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now turn a sentence into a lookup, chain and invert transforms, and read `tf2_echo` in both directions.
+# Practise that in [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb). Its tasks E3.1 and E3.5 tick one line of the checklist that `tflab progress` shows: *I ran `tf2_echo` with target and source in the right order.*
+# The next chapter, [04 The tree of frames](04_frame_tree.ipynb), shows how the edges form a tree, and that tf2 does not check this.
+#
+# The sections below are for the curious. Each heading says what it holds. Open one when you need it.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
-# 이 장을 마치면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 문장을 조회로 바꾸고, 변환을 합성하고 역변환을 구하며, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
+# 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)에서 손에 익혀 보세요. 과제 E3.1과 E3.5를 통과하면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
+# 다음 장 [04 좌표계 트리](04_frame_tree.ipynb)에서는 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
+#
+# 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
+
+# %% [markdown] lang="en" name="what-moves" slide="slide"
+# ## A point, a velocity, a pose: which part of the transform applies?
+#
+# The laser detects a person at (2, 0, 0) m who walks straight towards it. In `laser_frame` the velocity is (−1, 0, 0) m/s.
+#
+# **Predict:** what is the velocity in `base_link`? (−0.80, 0, 0.15), (0.20, −1, 0.15) or (0, −1, 0)?
+
+# %% [markdown] lang="ko" name="what-moves" slide="slide"
+# ## 점, 속도, 포즈: 변환의 어느 부분이 적용될까요?
+#
+# 레이저가 (2, 0, 0) m에 있는 사람을 측정했습니다. 사람은 레이저를 향해 똑바로 걸어옵니다. `laser_frame` 기준 속도는 (−1, 0, 0) m/s입니다.
+#
+# **예측해 봅시다.** `base_link` 기준 속도는 얼마일까요? (−0.80, 0, 0.15)일까요, (0.20, −1, 0.15)일까요, (0, −1, 0)일까요?
+
+# %% name="velocity-and-pose" tags=["predicted"] slide="fragment"
+from geometry_msgs.msg import PoseStamped, Vector3Stamped
+
+velocity = Vector3Stamped()
+velocity.header.frame_id = 'laser_frame'
+velocity.vector.x = -1.0
+v = buffer.transform(velocity, 'base_link').vector
+print('velocity   ', lesson.fmt_all((v.x, v.y, v.z), 'm/s'))
+
+person = PoseStamped()
+person.header.frame_id = 'laser_frame'
+person.pose.position.x = 2.0
+person.pose.orientation.z, person.pose.orientation.w = 1.0, 0.0  # yaw 180°: facing the laser
+at = buffer.transform(person, 'base_link').pose
+print('position   ', lesson.fmt_all((at.position.x, at.position.y, at.position.z)))
+print('yaw        ', lesson.fmt(2 * math.atan2(at.orientation.z, at.orientation.w), 'rad'))
+
+# %% [markdown] lang="en" name="velocity-and-pose-seen" tags=["predicted"] slide="subslide"
+# The velocity is (0, −1, 0): in the robot's axes the person walks to the right. A velocity has a direction and a size, but no position, so only the rotation applies.
+# In a `PointStamped` the same numbers would become (0.20, −1, 0.15). Then a person who stands still would seem to move at 0.25 m/s.
+#
+# | quantity | message | rotation | translation |
+# |---|---|---|---|
+# | a point | `PointStamped` | yes | yes |
+# | a direction, a velocity, a force | `Vector3Stamped` | yes | no |
+# | a pose | `PoseStamped` | position and orientation | position only |
+# | linear and angular velocity | `TwistStamped` | not supported in Python | not supported in Python |
+#
+# `buffer.transform` chooses by the type of the message. For a `TwistStamped` it raises `TypeException`, which `except TransformException` does not catch. Put each of its two vectors into a `Vector3Stamped`.
+# The pose is turned as well: its yaw is −90° in `base_link`, the direction in which the person walks.
+# A change of the frame changes the axes only. It is still the velocity of the same point of the robot, seen by the same observer. If the robot turns, another point of it moves with another linear velocity.
+
+# %% [markdown] lang="ko" name="velocity-and-pose-seen" tags=["predicted"] slide="subslide"
+# 속도는 (0, −1, 0)입니다. 로봇의 축으로 보면 사람은 오른쪽으로 걷습니다. 속도에는 방향과 크기가 있을 뿐 위치가 없으므로 회전만 적용됩니다.
+# 같은 값을 `PointStamped`에 넣으면 (0.20, −1, 0.15)가 됩니다. 그러면 가만히 서 있는 사람도 0.25 m/s로 움직이는 것처럼 보입니다.
+#
+# | 값 | 메시지 | 회전 | 이동 |
+# |---|---|---|---|
+# | 점 | `PointStamped` | 적용 | 적용 |
+# | 방향, 속도, 힘 | `Vector3Stamped` | 적용 | 적용 안 함 |
+# | 포즈 | `PoseStamped` | 위치와 방향 | 위치만 |
+# | 선속도와 각속도 | `TwistStamped` | 파이썬에서는 지원 안 함 | 파이썬에서는 지원 안 함 |
+#
+# `buffer.transform`은 메시지의 타입을 보고 고릅니다. `TwistStamped`를 넣으면 `TypeException`이 나는데, `except TransformException`으로는 잡히지 않습니다. 두 벡터를 각각 `Vector3Stamped`에 넣으십시오.
+# 포즈의 방향도 함께 회전했습니다. `base_link` 기준 yaw는 사람이 걷는 방향인 −90°입니다.
+# 기준을 바꾸면 축만 바뀝니다. 로봇의 같은 점을 같은 관측자가 본 속도라는 것은 그대로입니다. 로봇이 회전하면 로봇의 다른 점은 다른 선속도로 움직입니다.
+
+# %% [markdown] lang="en" name="vector-trap" slide="fragment"
+# One trap: `do_transform_vector3` sets the translation of the transform that you pass to zero. ROS 2 does the same. Look up again before you use that transform for a point.
+
+# %% [markdown] lang="ko" name="vector-trap" slide="fragment"
+# 함정이 하나 있습니다. `do_transform_vector3`은 인자로 받은 변환의 이동을 0으로 바꿔 놓습니다. ROS 2에서도 그렇습니다. 그 변환을 점에 쓰려면 먼저 다시 조회하십시오.
+
+# %% name="vector-trap-run" slide="-"
+from tf2_geometry_msgs import do_transform_point, do_transform_vector3
+
+t = buffer.lookup_transform('base_link', 'laser_frame', Time())
+for when in ('before', 'after'):
+    p = do_transform_point(seen, t).point
+    print(f'the corner, {when:6}', lesson.fmt_all((p.x, p.y, p.z)))
+    do_transform_vector3(velocity, t)
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ## Your turn: a call with two blanks
+#
+# A goal is given in `map` at (4, 1, 0). Where is it relative to the robot: ahead, behind, left, right?
+# Fill in both blanks, and run the cell.
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ## 빈칸을 채워 보세요: 목적지는 어느 쪽일까요?
+#
+# 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇을 기준으로 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
+# 빈칸 두 개를 채우고 실행해 보세요.
+
+# %% name="faded-blanks"
+wanted_in = ...  # blank 1: a frame's name, in quotes
+expressed_in = ...  # blank 2
+
+if ... not in (wanted_in, expressed_in):
+    answer = look_up(wanted_in, expressed_in)
+    print('the goal is at', lesson.fmt_all(answer.apply((4.0, 1.0, 0.0))), 'in', wanted_in)
+
+# %% [markdown] lang="en" name="faded-answer"
+# <details><summary>Compare</summary>
+#
+# Expressed in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` gives the goal at (−2, 0, −0.1).
+# That is 2 m behind the robot, and 10 cm below `base_link`, on the floor.
+# If you got (3, 7, 0.1), you swapped the two names, and your robot drives somewhere else.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded-answer"
+# <details><summary>맞춰 보기</summary>
+#
+# `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목적지는 (−2, 0, −0.1)입니다.
+# 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
+# (3, 7, 0.1)이 나왔다면 두 이름을 바꿔 쓴 것이고, 로봇은 엉뚱한 곳으로 갑니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="one-edge" slide="subslide"
+# ## One published transform, two questions
+#
+# A node publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
+#
+# 1. In which frame were 0.10 and 0.30 measured?
+# 2. A point is expressed in `camera_link`. Which call gives the transform into `base_link`?
+#
+# <details><summary>Answers, and the trap</summary>
+#
+# 1. In `base_link`, the parent: the camera is 10 cm in front of it and 30 cm above it.
+# 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, expressed in. The answer is the published transform itself.
+#
+# The trap is the arrow. It points from parent to child and shows which frame is the parent.
+# If you read it as the direction of the data, you swap the frames in the second answer.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="one-edge" slide="subslide"
+# ## 발행된 변환 하나, 질문 두 개
+#
+# 어느 노드가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
+#
+# 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값일까요?
+# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 바꿀까요?
+#
+# <details><summary>답과 함정</summary>
+#
+# 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm인 곳에 카메라가 있습니다.
+# 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 기준이 될 좌표계(목표)가 먼저, 지금 기준(원본)이 다음입니다. 답은 발행된 변환 그대로입니다.
+#
+# 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 나타냅니다.
+# 이것을 데이터가 바뀌는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="the-sentence-panel-why" slide="subslide"
+# ## A panel: the sentence, the call and the matrix
+#
+# You can choose the two frames in any of the forms below; the other forms show the same choice.
+# On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
+# Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
+
+# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="subslide"
+# ## 패널: 문장, 호출, 행렬
+#
+# 메뉴에서 좌표계를 고르면 문장과 호출과 행렬이 함께 바뀝니다.
+# 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
+# *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
+# 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
+
+# %% name="the-sentence-panel" tags=["interactive", "collapsed"]
+lesson.sentence_panel(
+    {
+        'base_link': Transform(),
+        'laser_frame': base_T_laser,
+        'rear_laser': Transform.from_rpy(yaw=math.pi, translation=(-0.20, 0.0, 0.15)),
+    },
+    'base_link',
+    'laser_frame',
+)
+
+# %% name="the-sentence-still" tags=["static"]
+from tflab.core import LATEST
+
+lesson.draw_sentence({'base_link': Transform(), 'laser_frame': base_T_laser},
+                     buffer.core.lookup_transform('base_link', 'laser_frame', LATEST))
+
+# %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
+# <details><summary>A pair with only one sign of difference</summary>
+#
+# `base_link` and `rear_laser`, a laser at the back that is rotated by 180°.
+# Its matrix and the inverse differ only in the sign of z.
+# It is the laser of the team whose tests all passed.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="the-sentence-panel-answer" slide="skip"
+# <details><summary>부호 하나만 다른 쌍</summary>
+#
+# `base_link`와 `rear_laser`입니다. 뒤쪽에 180° 회전시켜 단 레이저입니다.
+# 목표와 원본을 맞바꾸면 행렬에서 이동의 z만 부호가 달라집니다.
+# 앞에서 시험을 모두 통과한 팀의 레이저가 바로 이렇게 달려 있었습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="up-up-down" slide="slide"
+# ## Two sensors: the laser in the camera's frame
+#
+# No node publishes the pose of the laser in the camera's frame.
+# They are siblings: `base_link` is the parent of both.
+# You can still look it up, because a lookup walks the tree: **up** from the source to the nearest frame above both, then **down** to the target.
+# On the way up it uses the transforms as published. On the way down it uses their inverses.
+
+# %% [markdown] lang="ko" name="up-up-down" slide="slide"
+# ## 센서 두 개: 카메라 기준의 레이저
+#
+# 카메라 기준으로 레이저가 어디에 있는지 발행한 노드는 없습니다.
+# 둘은 형제 좌표계입니다. 부모가 모두 `base_link`입니다.
+# 그래도 조회할 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
+# 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 역변환을 씁니다.
+
+# %% [markdown] lang="en" name="up-up-down-notes" slide="notes"
+# Walk the tree with a finger: going up say "as published", going down say "inverse". Then ask for map in laser_frame: how many are inverted? All of them.
+
+# %% [markdown] lang="ko" name="up-up-down-notes" slide="notes"
+# 손가락으로 트리를 따라갑니다. 올라갈 때는 “발행된 그대로”, 내려갈 때는 “역변환”이라고 말합니다. 그다음 laser_frame 기준의 map을 묻습니다. 역변환이 몇 개입니까? 전부입니다.
+
+# %% name="siblings"
+camera_T_laser = look_up('base_link', 'camera_link').inverse() @ base_T_laser
+
+print('down after up ', lesson.fmt_all(camera_T_laser.translation))
+print('one lookup    ', lesson.fmt_all(look_up('camera_link', 'laser_frame').translation))
+
+# %% name="siblings-as-dominoes" tags=["collapsed"]
+lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
+
+# %% [markdown] lang="en" name="siblings-seen"
+# The laser is 10 cm in front of the camera and 15 cm below it. Check that with the numbers of both mounts.
+# The domino `camera_link | base_link` is the inverse of the published `base_link | camera_link`.
+
+# %% [markdown] lang="ko" name="siblings-seen"
+# 레이저는 카메라보다 10 cm 앞, 15 cm 아래에 있습니다. 두 센서의 장착 위치로 확인해 보세요.
+# 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`의 역변환입니다.
+
+# %% [markdown] lang="en" name="try-it" slide="slide"
+# ## A slider: rotate the mount and watch two mistakes
+#
+# 1. At which yaw does "turn forgotten" (the rotation left out) make no difference?
+# 2. At which yaw do you not see "swapped" from above? Look at z as well.
+# 3. At which yaw is the error of the swap largest?
+
+# %% [markdown] lang="ko" name="try-it" slide="slide"
+# ## 슬라이더: 레이저를 회전시키며 두 가지 실수 보기
+#
+# 1. “turn forgotten”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
+# 2. 위에서 볼 때 “swapped”(바꿔 씀)는 yaw가 얼마일 때 정답과 겹쳐 보일까요? z도 살펴보세요.
+# 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
+#
+# *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
+
+# %% name="try-it-panel" tags=["interactive", "collapsed"]
+lesson.mount_panel()
+
+# %% name="try-it-still" tags=["static"]
+lesson.draw_mount(math.pi / 2)
+
+# %% [markdown] lang="en" name="try-it-answers"
+# <details><summary>What I found</summary>
+#
+# 1. At yaw 0, because there is no rotation that you could leave out.
+# 2. At ±π, with a laser that faces backwards. From above the swap cannot be seen, and z is off by 0.30 m, which a flat 2D scan does not show.
+# 3. Near ±π/2, by 3.8 m here: the corner is on the other side of the robot.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="try-it-answers"
+# <details><summary>찾은 것 확인하기</summary>
+#
+# 1. yaw가 0일 때입니다. 회전이 없으면 빠뜨릴 것도 없습니다.
+# 2. ±π, 즉 뒤를 보는 레이저입니다. 위에서 보면 전혀 드러나지 않습니다. z는 0.30 m 틀리지만 평면 2D 스캔에는 보이지 않습니다.
+# 3. ±π/2 근처입니다. 여기서는 3.8 m나 빗나가서, 모서리가 로봇 반대편에 나타납니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="try-it-notes" slide="notes"
+# Let a student move the slider. The class calls "stop" when a wrong position coincides with the right one. Then ask what a test at that angle would have found.
+
+# %% [markdown] lang="ko" name="try-it-notes" slide="notes"
+# 한 사람이 슬라이더를 움직이고, 잘못된 답이 정답과 겹치는 순간 모두가 “멈춰”라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
+
+# %% [markdown] lang="en" name="unknown-name-why" slide="subslide"
+# ## An unknown frame name, and a leading slash
+#
+# An unknown frame name raises an exception. Its message tells you in which argument you used the name.
+# (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
+
+# %% [markdown] lang="ko" name="unknown-name-why" slide="subslide"
+# ## 없는 좌표계 이름, 앞에 붙은 슬래시
+#
+# 버퍼에 없는 이름을 쓰면 오류가 납니다. 그 이름을 어떤 인자로 썼는지도 메시지에 나옵니다.
+# (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
+
+# %% name="unknown-name" tags=["raises-exception"]
+# %xmode Minimal
+buffer.lookup_transform('laser_fame', 'base_link', Time())
+
+# %% [markdown] lang="en" name="unknown-name-seen"
+# `argument target_frame`: you passed the misspelt name as the target.
+# If you meant it as the *source*, this message is the only hint at a swap that you ever get. Read it to the end.
+#
+# A name that begins with a slash, common in ROS 1, cannot be looked up at all:
+
+# %% [markdown] lang="ko" name="unknown-name-seen"
+# `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
+# 이 이름을 *원본*으로 쓰려고 했다면, 두 인자를 바꿔 쓴 것입니다. 그것을 알려 주는 것은 이 한 줄뿐이므로 끝까지 읽으십시오.
+#
+# 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 조회에 쓸 수 없습니다.
+
+# %% name="leading-slash" tags=["raises-exception"]
+buffer.lookup_transform('/base_link', 'laser_frame', Time())
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ## Three questions from earlier chapters
+#
+# 1. A message contains `(2.0, 0.0, 0.0)` and an empty `frame_id`. May you use it?
+# 2. A wheeled robot turns right. Is its yaw rate positive or negative?
+# 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
+#
+# <details><summary>Answers</summary>
+#
+# 1. No: without a frame you do not know where the point is. Reject it, and log a warning.
+# 2. Negative: z points up, and by the right-hand rule a positive yaw rate turns left.
+# 3. (0, 0, 0, 1). Four zeros are not a valid rotation: each listener rejects the transform, and the frame never appears.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
+# 2. 바퀴 달린 로봇이 오른쪽으로 회전합니다. yaw 속도는 양수입니까, 음수입니까?
+# 3. “회전 없음”을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 안 됩니다. 좌표계 없는 값에는 아무 뜻이 없습니다. 거절하고 로그에 남깁니다.
+# 2. 음수입니다. z가 위를 향하므로 오른손 법칙에 따라 양의 회전은 왼쪽입니다.
+# 3. (0, 0, 0, 1)입니다. 모두 0인 것은 회전이 아닙니다. 수신기마다 거절하고, 그 좌표계는 끝내 나타나지 않습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ## Practice question · Q3
+#
+# Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` returns.
+# Write four or five sentences, then open the list and give yourself a point for each idea.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] A transform gives the position and rotation of the child frame, measured in the parent.
+# - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
+# - [ ] The lookup returns the transform that takes data expressed in *source* into *target*.
+# - [ ] Target and source need not be parent and child. They can be any two frames of one tree, and the lookup follows the path between them.
+# - [ ] `time` is the time of the transform. `Time()` means the latest time for which all edges on the path have data.
+# - [ ] If you swap the two, you get the inverse and no error. With a rotation, the inverse differs in more than the sign.
+#
+# Five or six: you could teach it. Three or four: read "One transform, read twice" again. Fewer: do the predictions again, with a pencil.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ## 서술형 문제 · Q3
+#
+# 변환의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 변환은 부모 기준으로 잰 자식 좌표계의 위치와 회전입니다.
+# - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`입니다.
+# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준으로 바꾸는 변환을 반환합니다.
+# - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이의 경로를 따라갑니다.
+# - [ ] `time`은 어느 시각의 변환인지를 정합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
+# - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않습니다. 회전이 있으면 부호만 다른 것이 아닙니다.
+#
+# 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 “변환 하나, 두 가지 읽기”를 다시 읽으십시오. 그보다 적으면 예측부터 다시 해 보십시오.
+#
+# </details>

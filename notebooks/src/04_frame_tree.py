@@ -1,26 +1,26 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 04 · The tree of frames
 #
-# **One parent each, and nobody checks** · about 50 minutes · builds on 03
+# **One parent each, and nobody checks** · about 30 minutes · builds on 03
 #
 # After this chapter you can
 #
 # - find the path between any two frames by hand: up to their common ancestor, then down,
 # - tell a healthy [[tf tree]] from two trees or a loop, at a glance or with one line of Python,
 # - say what tf2 checks when a transform is sent (almost nothing), and what a lookup reports,
-# - name frames so that two robots share `map` and nothing else.
+# - name the frames of one robot and of several, and say which contract about `map` they follow.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 04 · 좌표계 트리
 #
-# **부모는 하나씩, 그런데 아무도 확인하지 않습니다** · 약 50분 · 03장을 바탕으로 합니다
+# **부모는 하나씩, 그런데 아무도 확인하지 않습니다** · 약 30분 · 03장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - 어느 두 좌표계 사이의 경로든 손으로 찾을 수 있습니다. 만나는 곳까지 올라갔다가 내려가면 됩니다.
 # - 멀쩡한 [[tf tree|TF 트리]]와 둘로 나뉜 트리, 고리(loop)가 생긴 트리를 한눈에, 또는 파이썬 한 줄로 구별할 수 있습니다.
 # - 변환을 발행할 때 tf2가 확인하는 것(거의 없습니다)과, 조회할 때 나는 오류를 말할 수 있습니다.
-# - 로봇 두 대가 지도만 함께 쓰도록 좌표계 이름을 정할 수 있습니다.
+# - 로봇이 한 대일 때와 여러 대일 때 좌표계 이름을 정하고, `map`에 대해 어떤 약속을 따르는지 말할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask before the first slide: which program makes sure that the frames of a robot form a tree? Collect names. The answer of this chapter: none.
@@ -63,7 +63,6 @@ from tflab.workbook import lesson
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *더 읽기:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304), turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
-
 
 # %% name="the-driver" slide="subslide"
 def driver(name):
@@ -117,7 +116,6 @@ parent_of = {
     "camera_optical_frame": "camera_link",
 }
 
-
 # %% name="way-up" slide="-"
 def way_up(frame):
     way = [frame]
@@ -134,16 +132,16 @@ print(way_up("camera_optical_frame"))
 #
 # Both paths end at `map`. From their first common frame on, they are the same, and those edges cancel. So a lookup needs only the edges up from the source to that frame, and down from it to the target.
 #
-# The next cell fills a `Buffer` without any node. `send` stores one static edge in it, which is valid at all times. By default the edge is one metre long, along x. `"page"` is the name of the sender.
+# The folded cell fills a `Buffer` with these edges, without any node. Its function `send(buffer, parent, child, x)` stores one static edge, which is valid at all times. By default the edge is one metre long, along x.
 
 # %% [markdown] lang="ko" name="up-and-down" slide="slide"
 # ## 올라갔다가 내려갑니다
 #
 # 두 좌표계에서 올라가는 경로는 모두 `map`에서 끝납니다. 만난 뒤로는 같은 경로이므로 그 연결들은 서로 상쇄됩니다. 그래서 조회에는 원본에서 두 경로가 만나는 곳까지 올라가는 연결과, 거기서 목표까지 내려가는 연결만 필요합니다.
 #
-# 다음 셀은 노드 없이 `Buffer`를 직접 채웁니다. `send`는 연결 하나를 저장합니다. 따로 정하지 않으면 x 방향으로 1미터이고, 모든 시각에 유효한 정적 변환입니다. `"page"`는 발행자의 이름입니다.
+# 접힌 셀은 노드 없이 `Buffer`에 이 연결들을 채웁니다. 거기서 정의한 `send(buffer, parent, child, x)`는 연결 하나를 저장합니다. 모든 시각에 유효한 정적 변환이고, 따로 정하지 않으면 x 방향으로 1미터입니다.
 
-# %% name="a-buffer" slide="skip"
+# %% name="a-buffer" tags=["collapsed"] slide="skip"
 from geometry_msgs.msg import TransformStamped
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformException
@@ -160,7 +158,7 @@ buffer = Buffer()
 for child, parent in parent_of.items():
     send(buffer, parent, child)
 
-# %% name="the-walk" slide="-"
+# %% name="the-walk" tags=["collapsed"] slide="-"
 lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
@@ -181,7 +179,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # 이 점을 소리 내어 말합니다.
 # base보다 위에 있는 연결은 이 조회의 값에 영향을 주지 않습니다.
 
-# %% name="the-product" slide="fragment"
+# %% name="the-product" tags=["collapsed"] slide="fragment"
 lesson.draw_dominoes(
     ("camera_optical_frame", "camera_link"), ("camera_link", "base_link"), ("base_link", "laser_frame")
 )
@@ -294,7 +292,6 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 #
 # 누군가의 부모이면서 누구의 자식도 아닌 것은 무엇일까요? 파이썬의 set으로 알 수 있습니다.
 
-
 # %% name="roots" slide="-"
 def roots(tree):
     return sorted(set(tree.values()) - set(tree))
@@ -311,37 +308,6 @@ print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 # %% [markdown] lang="ko" name="roots-seen"
 # 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼습니다. 예상하지 못한 이름은 오타이거나, 그 위의 연결을 아무도 발행하지 않는 좌표계입니다. 하나도 없으면 고리입니다.
 # 한 가지 조심할 것이 있습니다. 멀쩡한 트리 *옆에* 따로 생긴 고리는 이 한 줄로 찾지 못합니다. 그때는 어떤 좌표계의 `way_up`이 끝나지 않습니다.
-
-# %% [markdown] lang="en" name="plaster" slide="subslide"
-# ### The workaround
-#
-# Forums suggest a quick workaround for the typo: one more static edge, `odom → odm`, with all values zero. It works, but it is not a fix.
-
-# %% [markdown] lang="ko" name="plaster" slide="subslide"
-# ### 임시방편
-#
-# 이런 오타에 흔히 권하는 빠른 방법이 있습니다. 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하는 것입니다. 동작은 합니다. 하지만 왜 임시방편일 뿐인지 살펴보세요.
-
-# %% name="plastered" slide="-"
-send(island, "odom", "odm", x=0.0)
-lesson.draw_walk(island, "map", "laser_frame")
-
-# %% [markdown] lang="en" name="plastered-seen"
-# One frame has two names now. As soon as another program publishes `odom → base_link`, spelt correctly, `base_link` is no longer a child of `odm`. Fix the name where it is written.
-
-# %% [markdown] lang="ko" name="plastered-seen"
-# 이제 같은 위치에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
-
-# %% [markdown] lang="en" name="plaster-notes" slide="notes"
-# Who has used such a workaround?
-# Do not blame anybody; ask what would have to happen for it to fail.
-# One correct line in another program is enough.
-
-# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
-# 이런 임시방편을 써 본 사람이 있는지 묻습니다.
-# 탓하지 않습니다.
-# 무슨 일이 생기면 다시 고장 날지 묻습니다.
-# 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
 
 # %% [markdown] lang="en" name="five-rules" slide="slide"
 # ## Five rules, and what enforces them
@@ -365,7 +331,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 #
 # 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 거절할 때도 로그에 이유를 남길 뿐이고 프로그램은 계속 실행됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
-# %% name="tree-panel" tags=["interactive"]
+# %% name="tree-panel" tags=["interactive", "collapsed"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
 # %% name="tree-still" tags=["static"]
@@ -421,11 +387,41 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 
 # %% [markdown] lang="en" name="spellings-seen"
 # One leading slash is accepted when you *send*: the name is stored as `odom`. It is rejected in a *lookup*. And `//odom` is stored as `/odom`, a frame that no lookup can name.
-# Some other programs, such as the mapping program of the story, accept no leading slash. Write names without it.
+# Some other programs, such as the mapping program of the story, accept no leading slash. Write names without it, and do not mix spellings.
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
-# 맨 앞의 슬래시를 무시하지 않는 프로그램도 있습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
+# 맨 앞의 슬래시를 무시하지 않는 프로그램도 있습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 말고, 표기를 섞어 쓰지 마십시오.
+
+# %% [markdown] lang="en" name="two-contracts" slide="subslide"
+# ### Several robots: choose one of two contracts
+#
+# A [[namespace]] is put before the names of a robot's nodes and topics. It is *not* put before frames: a frame is a string in a message, and `/tf` is usually one topic for all. So every frame that belongs to one robot needs a [[frame prefix]], as in `robot1/odom`. Does `map` belong to one robot?
+#
+# | | one `map` for all | a map for each robot |
+# |---|---|---|
+# | frames | `map`, `robot1/odom`, `robot1/base_link`, … | `robot1/map`, `robot1/odom`, `robot1/base_link`, … |
+# | suits | a fleet that shares one prepared map | robots that build their own maps, or work apart |
+# | costs | every localisation must use the same map and the same origin | one more edge for each robot, and somebody must find its value |
+# | who joins the robots | nobody else: each localisation sends `map → robotN/odom` | one node sends `world → robot1/map` and `world → robot2/map` |
+# | without that node | | two trees: a lookup between two robots fails |
+#
+# The lecture (§26) names both. Choose one for the whole system: navigation, sensor messages, URDF and RViz's Fixed Frame must follow the same contract. This page and its tasks assume one shared `map`.
+
+# %% [markdown] lang="ko" name="two-contracts" slide="subslide"
+# ### 로봇이 여러 대일 때: 두 가지 약속 가운데 하나
+#
+# [[namespace|네임스페이스(namespace)]]는 로봇의 노드와 토픽 이름 앞에 붙습니다. 좌표계 이름에는 붙지 *않습니다*. 좌표계 이름은 메시지 속의 문자열이고, `/tf`는 대개 모든 로봇이 함께 쓰는 토픽 하나입니다. 그래서 한 로봇에 속한 좌표계에는 모두 `robot1/odom`처럼 [[frame prefix|접두사(frame prefix)]]를 붙입니다. 그렇다면 `map`은 한 로봇에 속할까요?
+#
+# | | 모두가 쓰는 `map` 하나 | 로봇마다 지도 하나 |
+# |---|---|---|
+# | 좌표계 | `map`, `robot1/odom`, `robot1/base_link`, … | `robot1/map`, `robot1/odom`, `robot1/base_link`, … |
+# | 알맞은 경우 | 미리 만든 지도 하나를 여러 로봇이 함께 쓸 때 | 로봇마다 지도를 만들거나 따로 일할 때 |
+# | 치르는 값 | 모든 위치 추정 노드가 같은 지도와 같은 원점을 써야 합니다 | 로봇마다 연결이 하나 더 있고, 그 값을 누군가 구해야 합니다 |
+# | 로봇들을 연결하는 노드 | 따로 없습니다. 위치 추정 노드가 저마다 `map → robotN/odom`을 발행합니다 | 한 노드가 `world → robot1/map`과 `world → robot2/map`을 발행합니다 |
+# | 그 노드가 없으면 | | 트리가 둘이 되어 두 로봇 사이의 조회가 실패합니다 |
+#
+# 강의(§26)에는 둘 다 나옵니다. 시스템 전체에 하나를 정하십시오. 내비게이션, 센서 메시지, URDF, RViz의 고정 좌표계(Fixed Frame)가 모두 같은 약속을 따라야 합니다. 이 페이지와 과제에서는 `map` 하나를 함께 쓴다고 가정합니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the dog's loop
@@ -452,7 +448,7 @@ for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("h
     except TransformException as error:
         print(f"{source} in {target}: {type(error).__name__}: {str(error).splitlines()[0]}")
 
-# %% name="the-loop-drawn" tags=["predicted"] slide="-"
+# %% name="the-loop-drawn" tags=["predicted", "collapsed"] slide="-"
 lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
@@ -476,21 +472,22 @@ lesson.draw_walk(dog, "head", "back")
 # 만나지 못하면 1,000단계에서 그만둡니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="slide"
-# ## Break it: two publishers of one edge
+# ## Two publishers of one edge
 #
 # The node `wheel_odometry` calculates the robot's pose from the wheels and publishes it as `odom → base_footprint`. Now a filter is started that also uses an IMU (an EKF, extended Kalman filter), and publishes the same edge. The errors of both grow independently.
 #
-# The next cell starts the nodes by name. Time in the simulation advances only during `graph.run(seconds=…)`. `place` returns the position of `source` in `target`.
+# The folded cells start the nodes and a listener. `place` looks up the position of `source` in `target`. Time in the simulation advances only during `graph.run(seconds=…)`.
 # **Predict:** what does a test of five seconds show?
 
 # %% [markdown] lang="ko" name="two-owners" slide="slide"
-# ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
+# ## 한 연결을 두 노드가 발행할 때
 #
 # `wheel_odometry` 노드는 바퀴의 회전에서 로봇의 포즈 `odom → base_footprint`를 발행합니다. 여기에 IMU까지 써서 포즈를 추정하는 필터(EKF, 확장 칼만 필터)를 켜자 이 노드도 같은 연결을 발행합니다. 두 노드의 오차는 조금씩, 서로 다르게 쌓입니다.
-# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 페이지의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target`을 기준으로 `source`가 어디에 있는지 반환합니다.
+#
+# 접힌 셀에서 노드들과 수신기를 시작합니다. `place`는 `target`을 기준으로 `source`가 어디에 있는지 조회합니다. 이 페이지의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다.
 # **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
 
-# %% name="two-nodes" slide="skip"
+# %% name="two-nodes" tags=["collapsed"] slide="skip"
 import math
 
 import rclpy
@@ -506,12 +503,10 @@ tf_buffer = Buffer()
 listener = TransformListener(tf_buffer, node, spin_thread=True)
 graph.run(seconds=1.0)
 
-
-# %% name="place" slide="skip"
+# %% name="place" tags=["collapsed"] slide="skip"
 def place(target, source):
     at = tf_buffer.lookup_transform(target, source, Time()).transform.translation
     return at.x, at.y
-
 
 # %% name="steps-of-both" tags=["predicted"] slide="-"
 before, largest, past = place("odom", "base_footprint"), 0.0, 0.0
@@ -529,15 +524,15 @@ for until in (5, 10, 20, 30):
 # %% [markdown] lang="ko" name="steps-of-both-seen" tags=["predicted"]
 # 0.5 m/s로 달리고 메시지가 1초에 20~30번 오므로, 한 노드만 발행하면 한 번에 2센티미터쯤 움직입니다. 5초까지 가장 큰 변화는 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대에서 한 시험은 통과하지만, 복도를 달리면 드러납니다.
 
-# %% name="owners" slide="subslide"
+# %% name="owners" tags=["collapsed"] slide="subslide"
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="owners-seen"
-# The *shape* of this tree is correct: one parent each. The rate reveals the fault: 50 Hz = 20 + 30. Here the two names in the last column reveal it, too. The fix is to choose one publisher. Here only the filter keeps publishing the edge.
+# The *shape* of this tree is correct: one parent each. The rate reveals the fault: 50 Hz = 20 + 30. Here the two names in the last column reveal it, too, because all nodes are in one process. The fix is to choose one publisher. Here only the filter keeps publishing the edge.
 
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
-# 트리의 *모양*은 정상입니다. 부모가 하나씩입니다. 문제는 발행률에 드러납니다. 50 Hz는 바퀴 오도메트리의 20 Hz와 필터의 30 Hz를 더한 값입니다. 여기서는 이름도 둘 보입니다. 고치려면 하나를 고릅니다. 여기서는 바퀴 오도메트리 노드의 발행을 끕니다.
+# 트리의 *모양*은 정상입니다. 부모가 하나씩입니다. 문제는 발행률에 드러납니다. 50 Hz는 바퀴 오도메트리의 20 Hz와 필터의 30 Hz를 더한 값입니다. 여기서는 모든 노드가 한 프로세스 안에 있어서 이름도 둘 보입니다. 고치려면 하나를 고릅니다. 여기서는 바퀴 오도메트리 노드의 발행을 끕니다.
 
 # %% [markdown] lang="en" name="owners-notes" slide="notes"
 # Cover the last column with your hand: from the shape alone nobody could tell.
@@ -569,82 +564,10 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # %% [markdown] lang="ko" name="cured-seen"
 # 2센티미터입니다. 필터가 1초에 서른 번 발행하므로, 한 번 발행하고 다음에 발행할 때까지 실제로 달린 거리입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 발행을 껐는데도 트리가 계속 번갈아 바뀌었습니다.
 
-# %% [markdown] lang="en" name="two-robots" slide="slide"
-# ## Two robots, one map
-#
-# A second robot is placed beside the first. Each has its own [[namespace]] (a prefix of the names of its nodes and topics), and the names of its frames have a [[frame prefix]], as in `robot2/base_link`. Somebody forgot to prefix `odom`.
-# Namespaces do not prefix frames: a frame is a string in a message, and `/tf` is one topic for all.
-
-# %% [markdown] lang="ko" name="two-robots" slide="slide"
-# ## 로봇 두 대, 지도 하나
-#
-# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 부품의 좌표계에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
-# 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계 이름은 메시지 속의 문자열이고, `/tf`는 모든 로봇이 함께 쓰는 토픽입니다.
-
-# %% name="a-fleet" slide="skip"
-graph.stop()
-listener.unregister()
-tf_buffer = Buffer()  # one that has heard of no other robot
-listener = TransformListener(tf_buffer, node, spin_thread=True)
-
-
-def start_two(shared, apart_s):
-    graph.stop()
-    first = lesson.TeachingRobot(lesson.Drive(start_ns=graph.now_ns), prefix="robot1/", shared=shared)
-    other_start = lesson.Drive(start=lesson.PlanarPose(4.0, -1.0, 1.2), start_ns=graph.now_ns)
-    second = lesson.TeachingRobot(other_start, prefix="robot2/", shared=shared, seed=1)
-    lesson.launch(graph, first, only=["wheel_odometry", "localization"])
-    graph.run(seconds=apart_s)
-    lesson.launch(graph, second, only=["wheel_odometry", "localization"])
-    graph.run(seconds=3.0)
-
-
-# %% [markdown] lang="en" name="one-odom-predict"
-# The two robots are three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what do you see if you look up `robot2/base_footprint` in `map` fifty times a second? And if both were started at the same time?
-
-# %% [markdown] lang="ko" name="one-odom-predict"
-# 두 로봇은 3미터 떨어진 곳에서 출발해 모양이 같은 경로를 달립니다. 두 번째 로봇은 30 ms 나중에 출발했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 출발했다면 어떨까요?
-
-
-# %% name="one-odom" tags=["predicted"] slide="-"
-def look(times=343):
-    leaps, largest, before = 0, 0.0, place("map", "robot2/base_footprint")
-    for _ in range(times):
-        graph.run(seconds=0.02)
-        here = place("map", "robot2/base_footprint")
-        step, before = math.dist(before, here), here
-        leaps, largest = leaps + (step > 0.5), max(largest, step)
-    x, y = place("robot1/base_footprint", "robot2/base_footprint")
-    print(f"{leaps} leaps in {times} looks, largest {largest:.2f} m; robot2 in robot1 at ({x:.2f}, {y:.2f}) m")
-
-
-for apart_s in (0.03, 0.0):
-    start_two(("map", "odom"), apart_s)
-    look()
-
-# %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
-# Either way `odom` has two publishers. Started 30 ms apart, robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
-
-# %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
-# 두 경우 모두 `odom`의 발행자는 둘입니다. 따로 출발하면 robot2는 2미터 넘게 거듭 튑니다. 동시에 출발하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값을 반환하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴의 회전을 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 보고합니다.
-
-# %% [markdown] lang="en" name="fleet-notes" slide="notes"
-# The second run is the worse one, because nothing jumps.
-# Ask which alarm would go off.
-# None.
-# Then ask which frame belongs to both robots: map, and only map.
-
-# %% [markdown] lang="ko" name="fleet-notes" slide="notes"
-# 더 나쁜 것은 둘째 경우입니다.
-# 아무것도 튀지 않기 때문입니다.
-# 어떤 경보가 울릴지 묻습니다.
-# 없습니다.
-# 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
-
 # %% [markdown] lang="en" name="view-frames" slide="slide"
 # ## What view_frames shows, and what it cannot
 #
-# [[view_frames]] receives transforms for five seconds and writes a picture and a text: each edge with its rate, its oldest and newest stamp. Without `-o` the files are named after the date; with it they have the name that you give.
+# [[view_frames]] receives transforms for five seconds and writes a picture and a text: each edge with its rate, its oldest and newest stamp. Without `-o` the files are named after the date. With it they have the name that you give.
 
 # %% [markdown] lang="ko" name="view-frames" slide="slide"
 # ## view_frames가 보여 주는 것과 보여 주지 못하는 것
@@ -655,53 +578,29 @@ for apart_s in (0.03, 0.0):
 folder = lesson.fresh_folder()
 # %ros2 run tf2_tools view_frames -o {folder}/frames
 
-# %% name="between-robots" slide="-"
-lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
-
-# %% [markdown] lang="en" name="between-robots-seen"
-# The shape is a correct tree, and the path from one robot to the other has two steps, through the `odom` that belongs to neither.
-
-# %% [markdown] lang="ko" name="between-robots-seen"
-# 모양은 정상적인 트리이고, 두 로봇 사이의 경로는 두 단계입니다. 어느 로봇에도 속하지 않는 `odom`을 지나갑니다.
-
-# %% name="who-is-it" slide="-"
-lesson.frame_tree(graph, seconds=2.0)
-
-# %% [markdown] lang="en" name="who-is-it-seen"
-# `view_frames` prints `Broadcaster: default_authority` for every edge: a message on `/tf` does not contain the name of its sender. You see two publishers only in the rate, which is 20 Hz instead of 10 Hz.
-# Our `frame_tree` names the nodes, because here all of them are in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
-
-# %% [markdown] lang="ko" name="who-is-it-seen"
-# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 발행자의 이름이 없기 때문입니다. 발행자가 둘이라는 것은 합친 발행률로만 드러납니다. 10 Hz여야 할 연결이 20 Hz입니다.
-# `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 발행하는 노드들을 알 수 있지만, 어느 연결을 발행하는지는 나오지 않습니다.
-
-# %% [markdown] lang="en" name="prefixed" slide="subslide"
-# The fix: every frame of one robot carries its prefix, `odom` too. Only the frame that both share, `map`, has none.
-
-# %% [markdown] lang="ko" name="prefixed" slide="subslide"
-# 고치는 방법은 이렇습니다. 한 로봇에 속한 것에는 `odom`까지 모두 접두사를 붙입니다. 둘이 같은 것을 뜻하는 `map`만 그대로 둡니다.
-
-# %% name="two-odoms" slide="-"
-start_two(("map",), 0.03)
-look()
-lesson.frame_tree(graph, seconds=2.0)
-
-# %% name="stop" slide="skip"
-graph.stop()
-node.destroy_node()
-rclpy.shutdown()
-
-# %% [markdown] lang="en" name="two-odoms-seen"
-# The robots are in their true positions, now two and a half metres apart. No step is larger than the distance driven in a tenth of a second. A latest transform is only as new as the slowest edge on its path, and `map → robot2/odom` is published at 10 Hz.
-# In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, the robots share a frame or lookups fail.
+# %% [markdown] lang="en" name="six-points" slide="subslide"
+# Look at six things in the picture, in the lecture's order (§12):
 #
-# Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
-
-# %% [markdown] lang="ko" name="two-odoms-seen"
-# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 변환을 조회하면 두 연결에 모두 값이 있는 가장 최근 시각의 변환이 나옵니다. 그 시각은 10 Hz로 발행되는 `map → robot2/odom`이 정합니다.
-# 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 두 로봇의 좌표계가 섞이거나 조회가 실패합니다.
+# 1. Is it one connected tree, with one root?
+# 2. Is the order `map → odom → base_link` right?
+# 3. Does each sensor frame have the right parent?
+# 4. Does an unexpected spelling or prefix appear?
+# 5. Are the rates and the oldest transforms plausible?
+# 6. Does only one node publish each child?
 #
-# 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정 노드가 같은 `map`을 발행할 일이 없습니다.
+# The picture alone cannot answer the sixth. A message on `/tf` does not contain the name of its sender, so `view_frames` prints `Broadcaster: default_authority` for every edge. You see two publishers only in the rate. `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
+
+# %% [markdown] lang="ko" name="six-points" slide="subslide"
+# 그림에서는 여섯 가지를 확인합니다. 강의(§12)의 순서입니다.
+#
+# 1. 트리가 하나로 연결되어 있고 루트가 하나입니까?
+# 2. `map → odom → base_link` 순서가 맞습니까?
+# 3. 센서 좌표계마다 부모가 맞습니까?
+# 4. 예상하지 못한 철자나 접두사가 있습니까?
+# 5. 발행률과 가장 오래된 변환이 정상입니까?
+# 6. 자식마다 발행하는 노드가 하나뿐입니까?
+#
+# 여섯째는 그림만으로 답할 수 없습니다. `/tf` 메시지에는 발행자의 이름이 없어서 어느 연결이나 `Broadcaster: default_authority`라고 나오기 때문입니다. 발행자가 둘이라는 것은 합친 발행률로만 드러납니다. `ros2 topic info /tf --verbose`로 `/tf`에 발행하는 노드들을 알 수 있지만, 어느 연결을 발행하는지는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -774,7 +673,65 @@ rclpy.shutdown()
 # ros2 param get /robot_state_publisher frame_prefix
 # ```
 #
-# `view_frames` sees only its five seconds. A fault that comes and goes needs more than one look.
+# `view_frames` sees only its five seconds, and only the newest parent of each child. A fault that comes and goes needs a program that keeps looking. Save this one as `tree_watcher.py`. It keeps the dict of this page, reports each child whose parent changes, and prints the roots:
+#
+# ```python
+# # tf_lab_py/tree_watcher.py
+# import rclpy
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.qos import DurabilityPolicy, QoSProfile
+# from tf2_msgs.msg import TFMessage
+#
+#
+# class TreeWatcher(Node):
+#     def __init__(self):
+#         super().__init__('tree_watcher')
+#         self.parent_of = {}
+#         kept = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+#         self.create_subscription(TFMessage, '/tf', self.on_edges, 100)
+#         self.create_subscription(TFMessage, '/tf_static', self.on_edges, kept)
+#         self.create_timer(2.0, self.report)
+#
+#     def on_edges(self, message):
+#         for edge in message.transforms:
+#             child, parent = edge.child_frame_id, edge.header.frame_id
+#             before = self.parent_of.get(child, parent)
+#             if parent != before:
+#                 self.get_logger().error(f'{child}: child of {before}, now of {parent}')
+#             self.parent_of[child] = parent
+#
+#     def report(self):
+#         roots = sorted(set(self.parent_of.values()) - set(self.parent_of))
+#         if len(roots) == 1:
+#             self.get_logger().info(f'{len(self.parent_of)} edges, one root: {roots[0]}')
+#         else:
+#             self.get_logger().warning(f'{len(self.parent_of)} edges, roots: {roots}')
+#
+#
+# def main():
+#     rclpy.init()
+#     node = TreeWatcher()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# Run it on a robot with `python3 tree_watcher.py`. Without ROS, type this into a terminal of JupyterLab, to see it report two parents:
+#
+# ```
+# tflab run tree_watcher.py --for 5 \
+#     --with "ros2 run tf2_ros static_transform_publisher --frame-id odom --child-frame-id base_link" \
+#     --with "ros2 run tf2_ros static_transform_publisher --frame-id odm --child-frame-id base_link"
+# ```
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -785,7 +742,65 @@ rclpy.shutdown()
 # ros2 param get /robot_state_publisher frame_prefix
 # ```
 #
-# `view_frames`는 5초 동안만 수신합니다. 가끔 일어나는 고장은 여러 번 실행해야 보입니다.
+# `view_frames`는 5초 동안만 수신하고, 자식마다 가장 최근의 부모만 보여 줍니다. 가끔 일어나는 고장을 잡으려면 계속 지켜보는 프로그램이 필요합니다. 아래를 `tree_watcher.py`로 저장해 보세요. 이 장의 dict를 그대로 쓰며, 부모가 바뀐 자식을 알리고 루트를 출력합니다.
+#
+# ```python
+# # tf_lab_py/tree_watcher.py
+# import rclpy
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.qos import DurabilityPolicy, QoSProfile
+# from tf2_msgs.msg import TFMessage
+#
+#
+# class TreeWatcher(Node):
+#     def __init__(self):
+#         super().__init__('tree_watcher')
+#         self.parent_of = {}
+#         kept = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+#         self.create_subscription(TFMessage, '/tf', self.on_edges, 100)
+#         self.create_subscription(TFMessage, '/tf_static', self.on_edges, kept)
+#         self.create_timer(2.0, self.report)
+#
+#     def on_edges(self, message):
+#         for edge in message.transforms:
+#             child, parent = edge.child_frame_id, edge.header.frame_id
+#             before = self.parent_of.get(child, parent)
+#             if parent != before:
+#                 self.get_logger().error(f'{child}: child of {before}, now of {parent}')
+#             self.parent_of[child] = parent
+#
+#     def report(self):
+#         roots = sorted(set(self.parent_of.values()) - set(self.parent_of))
+#         if len(roots) == 1:
+#             self.get_logger().info(f'{len(self.parent_of)} edges, one root: {roots[0]}')
+#         else:
+#             self.get_logger().warning(f'{len(self.parent_of)} edges, roots: {roots}')
+#
+#
+# def main():
+#     rclpy.init()
+#     node = TreeWatcher()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# 로봇에서는 `python3 tree_watcher.py`로 실행합니다. ROS가 없으면 JupyterLab의 터미널에 다음을 입력해 보세요. 부모가 둘이라고 알립니다.
+#
+# ```
+# tflab run tree_watcher.py --for 5 \
+#     --with "ros2 run tf2_ros static_transform_publisher --frame-id odom --child-frame-id base_link" \
+#     --with "ros2 run tf2_ros static_transform_publisher --frame-id odm --child-frame-id base_link"
+# ```
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -794,7 +809,7 @@ rclpy.shutdown()
 # - One [[root]] means a tree, two mean a gap, none means a loop. `set(parents) - set(children)` gives the roots.
 # - tf2 checks no rule when a transform is sent. Only lookups fail. In two trees, lookups across the gap fail, and the error names only the frames of the lookup. In a loop, a lookup fails if its target is not above its source.
 # - A child that is sent with another parent moves. If an edge has two publishers, the tree keeps its shape, and the value alternates. Look at the rate.
-# - Names are strings. Use no slash in front, and give every frame of one robot its [[frame prefix]].
+# - Names are strings. Use no slash in front, and give every frame that belongs to one robot its [[frame prefix]]. Decide whether `map` is shared.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -803,67 +818,7 @@ rclpy.shutdown()
 # - [[root|루트]]가 하나면 트리, 둘이면 끊긴 것, 없으면 고리입니다. `set(부모들) - set(자식들)`로 알 수 있습니다.
 # - 변환을 발행할 때 tf2는 규칙을 확인하지 않습니다. 조회할 때에만 실패합니다. 트리가 둘이면 끊긴 곳을 지나는 조회가 실패하고, 오류 메시지에는 조회의 두 이름만 나옵니다. 고리가 있으면 목표가 원본의 위쪽에 있지 않은 조회가 실패합니다.
 # - 같은 자식을 다른 부모로 발행하면 부모가 바뀝니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 번갈아 바뀝니다. 발행률을 보십시오.
-# - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다.
-
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. What are the three parts of a usable measurement, and which one does this chapter leave out?
-# 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was published as it is, and which is an inverse?
-# 3. In the message of an edge, which field names the parent?
-#
-# <details><summary>Answers</summary>
-#
-# 1. Value, frame, stamp. This chapter leaves out the stamp. Chapter 08 uses it, and each edge then has a history.
-# 2. `base_T_laser` was published; `camera_T_base` is the inverse of the published edge, base → camera.
-# 3. `header.frame_id`; the child is in `child_frame_id`.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
-# 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 발행된 그대로인 것은 무엇이고 역변환인 것은 무엇입니까?
-# 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 값, 좌표계, 측정 시각입니다. 뺀 것은 측정 시각입니다. 08장에서 다시 나오며, 그때는 연결마다 지난 기록이 생깁니다.
-# 2. `base_T_laser`는 발행된 그대로이고, `camera_T_base`는 발행된 연결 base → camera의 역변환입니다.
-# 3. `header.frame_id`입니다. 자식은 `child_frame_id`에 있습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q4
-#
-# What symptoms may appear when two nodes publish the same child in a TF tree? Write three or four sentences.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] tf2 raises no error when a transform is sent: both are stored.
-# - [ ] With one parent, values alternate: the robot trembles or jumps in RViz. The jumps grow as the values of the two publishers drift apart.
-# - [ ] With two parents, the child alternates between two positions in the tree, and some lookups fail.
-# - [ ] It shows in a rate that is the sum of both, and in the list of publishers, not in the shape of the tree.
-# - [ ] The fix is to choose one publisher, and to switch the other off.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q4
-#
-# TF 트리에서 같은 자식을 두 노드가 발행하면 어떤 증상이 나타날 수 있습니까? 서너 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] 변환을 발행할 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
-# - [ ] 부모가 같으면 값이 번갈아 나옵니다. RViz에서 로봇이 떨거나 튀고, 둘의 차이가 벌어질수록 심해집니다.
-# - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 조회가 번갈아 실패합니다.
-# - [ ] 트리의 모양이 아니라, 둘을 합친 발행률과 발행자 목록에서 드러납니다.
-# - [ ] 발행 책임을 한 노드에 맡기고 다른 쪽은 끕니다.
-#
-# </details>
+# - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다. `map`을 함께 쓸지는 미리 정합니다.
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -897,12 +852,214 @@ rclpy.shutdown()
 # 루트, 오류 메시지, 재시작의 세 더미로 나눕니다.
 # 셋째 더미로 다음 강의를 시작합니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
-# In the exercises, `solution("E4.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
-# Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now find a path by hand, tell one tree from two or from a loop, and say why tf2 checks so little.
+# Practise that in [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb). Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
+# In the next chapter, [05 map, odom, base_link](05_map_odom_base_link.ipynb), "one parent each" decides which node may publish the robot's pose.
+#
+# The sections below are for the curious. Each heading says what it holds. Open one when you need it.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
-# 과제 E4.2와 E4.6은 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 두 줄에 해당합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 경로를 손으로 찾고, 하나인 트리와 둘로 나뉜 트리, 고리를 구별하며, tf2가 왜 거의 확인하지 않는지 말할 수 있습니다.
+# 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)에서 손에 익혀 보세요. 과제 E4.2와 E4.6은 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 두 줄에 해당합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*
+# 다음 장 [05 map, odom, base_link](05_map_odom_base_link.ipynb)에서는 “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
+#
+# 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
+
+# %% [markdown] lang="en" name="plaster" slide="subslide"
+# ## The quick workaround for a typo, and why it is no fix
+#
+# Forums suggest one more static edge, `odom → odm`, with all values zero. It works.
+
+# %% [markdown] lang="ko" name="plaster" slide="subslide"
+# ## 오타를 덮는 임시방편, 왜 해결이 아닐까요?
+#
+# 인터넷에서는 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하라고들 합니다. 동작은 합니다.
+
+# %% name="plastered" tags=["collapsed"] slide="-"
+send(island, "odom", "odm", x=0.0)
+lesson.draw_walk(island, "map", "laser_frame")
+
+# %% [markdown] lang="en" name="plastered-seen"
+# But one frame has two names now. As soon as another program publishes `odom → base_link`, spelt correctly, `base_link` is no longer a child of `odm`. Fix the name where it is written.
+
+# %% [markdown] lang="ko" name="plastered-seen"
+# 하지만 이제 같은 위치에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
+
+# %% [markdown] lang="en" name="plaster-notes" slide="notes"
+# Who has used such a workaround?
+# Do not blame anybody; ask what would have to happen for it to fail.
+# One correct line in another program is enough.
+
+# %% [markdown] lang="ko" name="plaster-notes" slide="notes"
+# 이런 임시방편을 써 본 사람이 있는지 묻습니다.
+# 탓하지 않습니다.
+# 무슨 일이 생기면 다시 고장 날지 묻습니다.
+# 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
+
+# %% [markdown] lang="en" name="two-robots" slide="slide"
+# ## Two robots, and an `odom` without a prefix
+#
+# A second robot is placed beside the first. Its frames have a prefix, as in `robot2/base_footprint`. Somebody forgot to prefix `odom`.
+
+# %% [markdown] lang="ko" name="two-robots" slide="slide"
+# ## 로봇 두 대, 그리고 접두사가 없는 `odom`
+#
+# 두 번째 로봇을 옆에 둡니다. 좌표계에는 모두 `robot2/base_footprint`처럼 접두사를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
+
+# %% name="a-fleet" tags=["collapsed"] slide="skip"
+graph.stop()
+listener.unregister()
+tf_buffer = Buffer()  # one that has heard of no other robot
+listener = TransformListener(tf_buffer, node, spin_thread=True)
+
+
+def start_two(shared, apart_s):
+    graph.stop()
+    first = lesson.TeachingRobot(lesson.Drive(start_ns=graph.now_ns), prefix="robot1/", shared=shared)
+    other_start = lesson.Drive(start=lesson.PlanarPose(4.0, -1.0, 1.2), start_ns=graph.now_ns)
+    second = lesson.TeachingRobot(other_start, prefix="robot2/", shared=shared, seed=1)
+    lesson.launch(graph, first, only=["wheel_odometry", "localization"])
+    graph.run(seconds=apart_s)
+    lesson.launch(graph, second, only=["wheel_odometry", "localization"])
+    graph.run(seconds=3.0)
+
+# %% [markdown] lang="en" name="one-odom-predict"
+# The two robots are three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what do you see if you look up `robot2/base_footprint` in `map` fifty times a second? And if both were started at the same time?
+
+# %% [markdown] lang="ko" name="one-odom-predict"
+# 두 로봇은 3미터 떨어진 곳에서 출발해 모양이 같은 경로를 달립니다. 두 번째 로봇은 30 ms 나중에 출발했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 출발했다면 어떨까요?
+
+# %% name="one-odom" tags=["predicted"] slide="-"
+def look(times=343):
+    leaps, largest, before = 0, 0.0, place("map", "robot2/base_footprint")
+    for _ in range(times):
+        graph.run(seconds=0.02)
+        here = place("map", "robot2/base_footprint")
+        step, before = math.dist(before, here), here
+        leaps, largest = leaps + (step > 0.5), max(largest, step)
+    x, y = place("robot1/base_footprint", "robot2/base_footprint")
+    print(f"{leaps} leaps in {times} looks, largest {largest:.2f} m; robot2 in robot1 at ({x:.2f}, {y:.2f}) m")
+
+
+for apart_s in (0.03, 0.0):
+    start_two(("map", "odom"), apart_s)
+    look()
+
+# %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
+# Either way `odom` has two publishers. Started 30 ms apart, robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
+
+# %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
+# 두 경우 모두 `odom`의 발행자는 둘입니다. 따로 출발하면 robot2는 2미터 넘게 거듭 튑니다. 동시에 출발하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값을 반환하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴의 회전을 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 보고합니다.
+
+# %% [markdown] lang="en" name="fleet-notes" slide="notes"
+# The second run is the worse one, because nothing jumps.
+# Ask which alarm would go off.
+# None.
+# Then ask which frame belongs to both robots: map, and only map.
+
+# %% [markdown] lang="ko" name="fleet-notes" slide="notes"
+# 더 나쁜 것은 둘째 경우입니다.
+# 아무것도 튀지 않기 때문입니다.
+# 어떤 경보가 울릴지 묻습니다.
+# 없습니다.
+# 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
+
+# %% name="between-robots" tags=["collapsed"] slide="-"
+lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
+
+# %% [markdown] lang="en" name="between-robots-seen"
+# The shape is a correct tree, and the path from one robot to the other has two steps, through the `odom` that belongs to neither.
+
+# %% [markdown] lang="ko" name="between-robots-seen"
+# 모양은 정상적인 트리이고, 두 로봇 사이의 경로는 두 단계입니다. 어느 로봇에도 속하지 않는 `odom`을 지나갑니다.
+
+# %% [markdown] lang="en" name="prefixed" slide="subslide"
+# The fix: every frame of one robot carries its prefix, `odom` too. Only the frame that both share, `map`, has none.
+
+# %% [markdown] lang="ko" name="prefixed" slide="subslide"
+# 고치는 방법은 이렇습니다. 한 로봇에 속한 것에는 `odom`까지 모두 접두사를 붙입니다. 둘이 같은 것을 뜻하는 `map`만 그대로 둡니다.
+
+# %% name="two-odoms" slide="-"
+start_two(("map",), 0.03)
+look()
+
+# %% name="two-odoms-tree" tags=["collapsed"] slide="-"
+lesson.frame_tree(graph, seconds=2.0)
+
+# %% [markdown] lang="en" name="two-odoms-seen"
+# The robots are in their true positions, now two and a half metres apart. No step is larger than the distance driven in a tenth of a second. A latest transform is only as new as the slowest edge on its path, and `map → robot2/odom` is published at 10 Hz.
+# In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, the robots share a frame or lookups fail.
+
+# %% [markdown] lang="ko" name="two-odoms-seen"
+# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 변환을 조회하면 두 연결에 모두 값이 있는 가장 최근 시각의 변환이 나옵니다. 그 시각은 10 Hz로 발행되는 `map → robot2/odom`이 정합니다.
+# 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 두 로봇의 좌표계가 섞이거나 조회가 실패합니다.
+
+# %% name="stop" tags=["collapsed"] slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ## Three questions from earlier chapters
+#
+# 1. What are the three parts of a usable measurement, and which one does this chapter leave out?
+# 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was published as it is, and which is an inverse?
+# 3. In the message of an edge, which field names the parent?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Value, frame, stamp. This chapter leaves out the stamp. Chapter 08 uses it, and each edge then has a history.
+# 2. `base_T_laser` was published; `camera_T_base` is the inverse of the published edge, base → camera.
+# 3. `header.frame_id`; the child is in `child_frame_id`.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
+# 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 발행된 그대로인 것은 무엇이고 역변환인 것은 무엇입니까?
+# 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 값, 좌표계, 측정 시각입니다. 뺀 것은 측정 시각입니다. 08장에서 다시 나오며, 그때는 연결마다 지난 기록이 생깁니다.
+# 2. `base_T_laser`는 발행된 그대로이고, `camera_T_base`는 발행된 연결 base → camera의 역변환입니다.
+# 3. `header.frame_id`입니다. 자식은 `child_frame_id`에 있습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ## Practice question · Q4
+#
+# What symptoms may appear when two nodes publish the same child in a TF tree? Write three or four sentences.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] tf2 raises no error when a transform is sent: both are stored.
+# - [ ] With one parent, values alternate: the robot trembles or jumps in RViz. The jumps grow as the values of the two publishers drift apart.
+# - [ ] With two parents, the child alternates between two positions in the tree, and some lookups fail.
+# - [ ] It shows in a rate that is the sum of both, and in the list of publishers, not in the shape of the tree.
+# - [ ] The fix is to choose one publisher, and to switch the other off.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ## 서술형 문제 · Q4
+#
+# TF 트리에서 같은 자식을 두 노드가 발행하면 어떤 증상이 나타날 수 있습니까? 서너 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 변환을 발행할 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
+# - [ ] 부모가 같으면 값이 번갈아 나옵니다. RViz에서 로봇이 떨거나 튀고, 둘의 차이가 벌어질수록 심해집니다.
+# - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 조회가 번갈아 실패합니다.
+# - [ ] 트리의 모양이 아니라, 둘을 합친 발행률과 발행자 목록에서 드러납니다.
+# - [ ] 발행 책임을 한 노드에 맡기고 다른 쪽은 끕니다.
+#
+# </details>

@@ -132,13 +132,13 @@ check("E4.3", path)
 # %% [markdown] lang="en" name="e4-4"
 # ## E4.4 · Two robots, one map (3 points)
 #
-# `e4_4.edges` is the tree of one robot, pairs (parent, child), without prefixes. Two such robots share `map`, and no other frame. `e4_4.prefixes` contains their names.
+# `e4_4.edges` is the tree of one robot, pairs (parent, child), without prefixes. Two such robots follow the contract of one shared `map`: they share `map`, and no other frame. `e4_4.prefixes` contains their names.
 # Give the tree of both together as a dict, child → parent. A frame of the first robot is named as in `robot1/odom`.
 
 # %% [markdown] lang="ko" name="e4-4"
 # ## E4.4 · 로봇 두 대, 지도 하나 (3점)
 #
-# `e4_4.edges`는 로봇 한 대의 트리이며, 접두사가 없는 (부모, 자식) 쌍입니다. 이런 로봇 두 대가 `map`만 함께 쓰고 나머지는 따로 써야 합니다. `e4_4.prefixes`는 두 로봇의 이름입니다.
+# `e4_4.edges`는 로봇 한 대의 트리이며, 접두사가 없는 (부모, 자식) 쌍입니다. 이런 로봇 두 대가 `map` 하나를 함께 쓴다고 가정합니다. 나머지는 따로 씁니다. `e4_4.prefixes`는 두 로봇의 이름입니다.
 # 둘을 합친 트리를 자식 → 부모로 된 dict로 답하십시오. 좌표계 이름은 `robot1/odom`과 같은 꼴입니다.
 
 # %% name="e4-4-given"
@@ -230,12 +230,12 @@ check("E4.6", several_owners)
 # %% [markdown] lang="en" name="e4-7"
 # ## E4.7 · The line that the dog needed (2 points)
 #
-# Return the full name of a frame. `prefix` is a robot's name. It can be empty or have slashes around it. `name` is a frame, possibly with a slash in front. The result never begins with a slash and never contains two in a row. `map` is shared: it has no prefix.
+# Return the full name of a frame. `prefix` is a robot's name. It can be empty or have slashes around it. `name` is a frame, possibly with a slash in front. The result never begins with a slash and never contains two in a row. The robots share one `map`, so `map` has no prefix.
 
 # %% [markdown] lang="ko" name="e4-7"
 # ## E4.7 · 로봇 개에게 필요했던 한 줄 (2점)
 #
-# 좌표계의 전체 이름을 반환하십시오. `prefix`는 로봇 이름이며 앞뒤에 슬래시가 있거나 비어 있을 수 있습니다. `name`은 좌표계이며 앞에 슬래시가 있을 수 있습니다. 결과는 슬래시로 시작하지 않고, 슬래시가 둘 나란히 있지도 않습니다. `map`은 함께 쓰므로 접두사가 없습니다.
+# 좌표계의 전체 이름을 반환하십시오. `prefix`는 로봇 이름이며 앞뒤에 슬래시가 있거나 비어 있을 수 있습니다. `name`은 좌표계이며 앞에 슬래시가 있을 수 있습니다. 결과는 슬래시로 시작하지 않고, 슬래시가 둘 나란히 있지도 않습니다. 로봇들이 `map` 하나를 함께 쓴다고 가정하므로 `map`에는 접두사가 없습니다.
 
 
 # %% name="e4-7-answer" tags=["answer"]

@@ -64,6 +64,7 @@ class AxisArtists:
                              markeredgewidth=0.0, linestyle="none", gid=axis,
                              path_effects=[withStroke(linewidth=2.0, foreground=style.PAPER)])  # fmt: skip
         self._along = np.zeros(2)  # where it points on paper, if it is seen from the side
+        self.beside = np.array((-0.28, -0.28))  # of an axis seen end-on: from it to its letter, in lengths of the axis
         self.artists = [self.shaft, self.head, self.ring, self.sign, self.letter]
         for artist in self.artists:
             ax.add_artist(artist)
@@ -86,7 +87,7 @@ class AxisArtists:
             self.ring.set_data([origin[0]], [origin[1]])
             self.sign.set_data([origin[0]], [origin[1]])
             self.sign.set_marker("o" if towards_eye else "x")
-            self._write(origin - 0.28 * length_m)
+            self._write(origin + self.beside * length_m)
             return
         along = self._along
         across = np.array((-along[1], along[0]))
@@ -298,6 +299,7 @@ def draw_scene(
     length_m: float | None = None,
     arrows: Mapping[str, tuple[str, Sequence[float]]] | None = None,
     size_inch: tuple[float, float] = style.WIDE,
+    caption: str = "",
 ) -> Picture:
     """Draw frames, points and their ghosts (the wrong answers) as one picture; from above, with ticks in metres.
 
@@ -308,6 +310,7 @@ def draw_scene(
         arrows: vectors, a velocity or a pull, by their name: of which frame of `poses`, and (x, y, z) in that
             frame's own axes.  They start at the frame; the longest is drawn a little longer than an axis.
         size_inch: width and height [inch], a hundred screen pixels each.
+        caption: a line in the corner, such as the view and the width of the grid.
 
     Raises:
         ValueError: an arrow belongs to a frame that has no pose.
@@ -338,6 +341,7 @@ def draw_scene(
             *(draw_arrow(ax, *ends, name, eye) for name, ends in _on_stage(poses, arrows, length_m).items()),
         ]
         place_labels([artists.label for artists in drawn])
+        write_caption(ax, caption)
     picture.text = describe_scene(poses, points, ghosts, ghost_points, fixed_frame, arrows)
     return picture
 

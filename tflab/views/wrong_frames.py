@@ -70,6 +70,7 @@ class MountPicture(Picture):
             outline = [(x, y) for x, y in BODY_SCALE * OUTLINE]
             self.base.label.keep_off += zip(outline, [*outline[1:], outline[0]], strict=True)
             self.laser = FrameArtists("laser_frame", ax, FROM_ABOVE, 0.55, is_ghost=False)
+            self.laser.axes["z"].beside *= (-1.0, 1.0)  # the other side than the z of base_link, which is near
             (self.beam,) = ax.plot([], [], color=style.ACCENT, linewidth=1.2, zorder=8)
             self.points = {name: PointArtists(name, ax, FROM_ABOVE, name != "corner") for name in READINGS}
             for name in READINGS[1:]:  # a ring around the truth, where the mistake hides behind it
