@@ -153,6 +153,13 @@ def hide_spines(ax: Axes, *sides: str) -> None:
         ax.spines[side].set_visible(False)
 
 
+def name_plane(ax: Axes, frame: str) -> None:
+    """Name the axes of a drawing from above: the x and y of a frame [m]."""
+    hide_spines(ax, "top", "right")
+    ax.set_xlabel(f"x in {frame} [m]", loc="right")
+    ax.set_ylabel(f"y in {frame} [m]", loc="top")
+
+
 def label_rows(ax: Axes, names: Sequence[str], size_pt: float = TEXT_PT) -> None:
     """Make one row for each name, from the top, and a time axis below."""
     ax.set_ylim(len(names) - 0.5, -0.5)
