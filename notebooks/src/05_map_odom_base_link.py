@@ -222,7 +222,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 
 # %% name="in-3d-scene" tags=["collapsed"] slide="skip"
 scene = lesson.Scene(height_px=360)
-scene.look(eye=(3.0, -7.0, 6.0), target=(3.0, 0.0, 0.0))
+scene.look(eye=(2.2, -4.0, 3.6), target=(2.2, -0.3, 0.0))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.7)
 lesson.draw_path(scene, 'truth', truth[::5], colour='#9AA0A6')
 
@@ -723,9 +723,13 @@ graph.stop()
 node.destroy_node()
 rclpy.shutdown()
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and the 3.60 m in `base_link` already wrong when the message arrives?
 # 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
 # 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
@@ -738,9 +742,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 메시지를 받은 순간 이미 맞지 않습니까?
 # 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 오류를 냅니까? 트리는 어떻게 됩니까?
 # 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결의 역변환의 합성으로 쓰면 무엇입니까?
@@ -753,9 +755,13 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice questions · Q5 and Q6
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q5, Q6
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that are fixed in the world? Write four or five sentences.
 #
 # <details><summary>What a full answer contains</summary>
@@ -779,9 +785,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q5, Q6
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

@@ -738,7 +738,7 @@ print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
 # %% name="crab-scene" tags=["interactive", "collapsed"]
 scene = lesson.Scene(height_px=340)
-scene.look(eye=(0.0, -2.6, 2.6), target=(0.0, 0.0, 0.0))
+scene.look(eye=(0.3, -2.5, 1.9), target=(0.1, -0.4, 0.0))
 lesson.draw_path(scene, 'circle', circle, colour='#9AA0A6')
 
 
@@ -750,7 +750,7 @@ def at_angle(theta):
     lesson.draw_arrow(scene, 'goes', place, ahead, 'goes', lesson.ACCENT, radius_m=0.02)
 
 
-scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad')
+scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad', start=15)
 scene
 
 # %% name="forward-still" tags=["static"]
@@ -836,7 +836,7 @@ lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, l
 #
 # On your checklist this chapter is **C3** (a static transform from the command line and from Python) and **C4** (a dynamic transform from Python). Here it was simulated; do it once on the robot.
 #
-# The important lines of the first command, for a driver without a board and one with a board:
+# The first command prints this for a driver without a board and a publisher with one. Compare their `Durability`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -850,7 +850,7 @@ lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, l
 #
 # 체크리스트에서 이 장은 **C3**(명령줄과 파이썬으로 발행한 정적 변환)과 **C4**(파이썬으로 발행한 동적 변환)입니다. 여기서는 시뮬레이션으로 했으니 로봇에서도 한 번 해 보세요.
 #
-# 첫 명령의 출력에서 볼 것은 다음 줄들입니다. 게시판이 없는 발행자와 있는 발행자가 하나씩 있습니다.
+# 첫 명령의 출력입니다. 게시판이 없는 발행자와 있는 발행자가 하나씩 있습니다. 둘의 `Durability`를 비교해 보세요.
 
 # %% name="two-durabilities" slide="subslide"
 graph = lesson.new_graph()
@@ -1189,10 +1189,14 @@ graph.start(driver, name='driver')
 #
 # 아래는 더 알고 싶을 때 보는 부분입니다. 제목을 펼치면 내용이 나옵니다.
 
-# %% [markdown] lang="en" name="in-a-loop" slide="slide"
+# %% [markdown] lang="en" name="in-a-loop-heading" slide="slide"
 # ## sendTransform in a loop, by release
-#
-# One list in one call is right everywhere. In a loop it depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
+
+# %% [markdown] lang="ko" name="in-a-loop-heading" slide="slide"
+# ## 반복문에서 sendTransform을 호출하면
+
+# %% [markdown] lang="en" name="in-a-loop" slide="-"
+# The result depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
 #
 # | ROS 2, Python | a late listener receives | a child that is sent again |
 # |---|---|---|
@@ -1202,9 +1206,7 @@ graph.start(driver, name='driver')
 #
 # One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)`, create a new broadcaster, and send all its mounts again.
 
-# %% [markdown] lang="ko" name="in-a-loop" slide="slide"
-# ## 반복문에서 sendTransform을 호출하면
-#
+# %% [markdown] lang="ko" name="in-a-loop" slide="-"
 # 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
 #
 # | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
@@ -1294,9 +1296,13 @@ graph = lesson.new_graph()
 graph.stop()
 rclpy.try_shutdown()
 
-# %% [markdown] lang="en" name="turtles" slide="skip"
+# %% [markdown] lang="en" name="turtles-heading" slide="skip"
 # ## The two turtles of the official tutorials
-#
+
+# %% [markdown] lang="ko" name="turtles-heading" slide="skip"
+# ## 공식 튜토리얼의 거북이 두 마리
+
+# %% [markdown] lang="en" name="turtles" slide="skip"
 # The official tf2 tutorials drive turtles in turtlesim. `turtle2` looks up the transform to `turtle1`, and follows it. Their package `turtle_tf2_py` runs here unchanged (github.com/ros/geometry_tutorials, branch `ros2`). Put its folder beside this notebook, and run three cells:
 #
 # ```
@@ -1308,8 +1314,6 @@ rclpy.try_shutdown()
 # The first cell starts turtlesim, two broadcasters and the listener. The second drives `turtle1` in a circle for ten seconds. The third draws the field and the lines of both pens. In a terminal, `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py` does the same as the first cell.
 
 # %% [markdown] lang="ko" name="turtles" slide="skip"
-# ## 공식 튜토리얼의 거북이 두 마리
-#
 # tf2 공식 튜토리얼은 turtlesim의 거북이를 씁니다. `turtle2`가 `turtle1`의 변환을 조회하면서 따라갑니다. 튜토리얼 패키지 `turtle_tf2_py`는 고치지 않고 여기서 그대로 실행할 수 있습니다(github.com/ros/geometry_tutorials의 `ros2` 브랜치). 패키지 폴더를 이 노트북 옆에 두고 셀 세 개를 실행해 보세요.
 #
 # ```
@@ -1320,9 +1324,13 @@ rclpy.try_shutdown()
 #
 # 첫째 셀은 turtlesim과 발행 노드 두 개, 조회하는 노드 하나를 시작합니다. 둘째 셀은 `turtle1`이 10초 동안 원을 그리며 움직이게 합니다. 셋째 셀은 두 거북이의 위치와 펜이 그린 선을 그림으로 보여 줍니다. 터미널에서는 `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py`가 첫째 셀과 같은 일을 합니다.
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. `laser_frame` is 0.20 m in front of `base_link`. Which frame is the parent, and along whose axes are the 0.20 m measured?
 # 2. You look up target `odom`, source `laser_frame`. Which edges are on the path, and which of them is static?
 # 3. The crab was found with `then.inverse().apply(later.translation)`. In which frame are the coordinates that go in, and those that come out?
@@ -1335,9 +1343,7 @@ rclpy.try_shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. `laser_frame`은 `base_link`에서 0.20 m 앞에 있습니다. 부모는 어느 좌표계이고, 0.20 m는 어느 좌표계의 축으로 잰 값입니까?
 # 2. 목표 `odom`, 원본 `laser_frame`으로 조회합니다. 어느 연결을 지나며, 그 가운데 정적인 것은 무엇입니까?
 # 3. 게걸음은 `then.inverse().apply(later.translation)`으로 알아냈습니다. 어느 좌표계의 좌표가 들어가고, 어느 좌표계의 좌표가 나옵니까?
@@ -1350,9 +1356,13 @@ rclpy.try_shutdown()
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice question · Q7
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q7
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **7.** How do `/tf` and `/tf_static` differ, in what they carry and in their QoS, and what happens to a transform on the wrong one? Write five sentences.
 #
 # <details><summary>What a full answer contains</summary>
@@ -1365,9 +1375,7 @@ rclpy.try_shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q7
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **7.** `/tf`와 `/tf_static`은 데이터와 QoS 동작에서 어떻게 다르며, 변환을 다른 쪽 토픽으로 발행하면 어떤 일이 일어납니까? 다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

@@ -230,8 +230,8 @@ def draw_tracks(
         ground = picture.figure.add_axes((0.11, 0.46, 0.86, 0.47))
         style.name_plane(ground, fixed_frame)
         _draw_ground(ground, tracks, truth)
-        steps = _curves(picture.figure.add_axes((0.11, 0.25, 0.86, 0.095)), "distance between two samples [m]")
-        error = _curves(picture.figure.add_axes((0.11, 0.075, 0.86, 0.105)), "error: distance from the truth [m]")
+        steps = _curves(picture.figure.add_axes((0.11, 0.262, 0.86, 0.09)), "distance between two samples [m]")
+        error = _curves(picture.figure.add_axes((0.11, 0.075, 0.86, 0.1)), "error: distance from the truth [m]")
         error.set_xlabel("time [s]", loc="right")
         for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
             how = {"color": colour, "linestyle": line, "linewidth": TRACK_WIDTH, "label": name}
