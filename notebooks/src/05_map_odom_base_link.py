@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 05 · map, odom, base_link
 #
-# **One may jump, one may drift** · about 50 minutes · builds on 03 and 04
+# **One may jump, one may drift** · about 25 minutes · builds on 03 and 04
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 05 · map, odom, base_link
 #
-# **하나는 튈 수 있고, 하나는 드리프트할 수 있습니다** · 약 50분 · 03, 04장을 바탕으로 합니다
+# **하나는 튈 수 있고, 하나는 드리프트할 수 있습니다** · 약 25분 · 03, 04장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -98,18 +98,25 @@ from tflab.workbook import lesson
 # %% name="my-guess" slide="skip"
 farther_off, larger_steps = ..., ...  # "odom" or "map"
 
-# %% name="the-drive" slide="skip"
+# %% name="the-drive" tags=["collapsed"] slide="skip"
 import numpy as np
 
-
 robot = lesson.TeachingRobot(bias=0.01, correction_period_s=5.0)
-buffer = robot.buffer(until_s=62.0, cache_time_s=100.0)  # what a listener would have heard
+buffer = robot.buffer(until_s=62.0, cache_time_s=100.0)  # what a listener would have received
 
+# %% [markdown] lang="en" name="pose-at-why" slide="skip"
+# The robot has driven for a minute, and `buffer` holds every transform that a listener received.
+# All numbers below come from one lookup: where is `child` in `frame`, `t` seconds after the start?
 
+# %% [markdown] lang="ko" name="pose-at-why" slide="skip"
+# 로봇은 1분 동안 달렸고, `buffer`에는 그동안 수신기가 받은 변환이 모두 들어 있습니다.
+# 아래의 숫자는 모두 이 조회 하나로 얻습니다. 시작하고 `t`초가 지났을 때 `frame` 기준으로 `child`는 어디에 있을까요?
+
+# %% name="pose-at" slide="skip"
 def pose(frame, child, t):
     return buffer.lookup_transform(frame, child, seconds(t)).transform
 
-# %% name="three-pens" tags=["predicted"] slide="fragment"
+# %% name="three-pens" tags=["predicted", "collapsed"] slide="fragment"
 times = [1.5 + 0.1 * k for k in range(600)]
 start = robot.truth_at(seconds(1.0))['base_footprint']  # where odom begins
 in_map = np.array([pose('map', 'base_footprint', t).translation for t in times])
@@ -118,7 +125,7 @@ truth = np.array([robot.truth_at(seconds(t))['base_footprint'].translation for t
 lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 
 # %% [markdown] lang="en" name="three-pens-seen" tags=["predicted"]
-# On the left, from above: the broad grey line is the true path. The right-hand plots show the distance between consecutive samples, and the error.
+# The upper plot shows the paths from above. The broad grey line is the true path. The plots below it show how far each sample is from the one before it, a tenth of a second earlier, and how far it is from the truth.
 #
 # - The pose in [[odom]] never takes a step that the robot did not drive, and after a minute it is three metres off. It **drifts**.
 # - The pose in [[map]] is never more than a quarter of a metre off, and it jumps each time it is corrected. It **jumps**.
@@ -127,7 +134,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # The publisher has to keep this promise. If a node corrects its odometry in one step, the pose jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
-# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
+# *그림 읽기:* 위 그림은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로이고, x in map과 y in map은 `map` 기준 좌표입니다. 가운데(distance between two samples)는 0.1초 간격인 두 표본 사이의 거리, 아래(error: distance from the truth)는 실제 위치와의 거리입니다. time = 시각.
 #
 # - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
 # - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
@@ -136,12 +143,12 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # 이 약속의 첫 부분은 발행하는 노드가 지켜야 합니다. 오도메트리를 한꺼번에 바로잡으면 `odom` 기준 포즈도 튑니다.
 
 # %% [markdown] lang="en" name="three-pens-notes" slide="notes"
-# Point at one jump in the left picture and find it in both curves on the right.
+# Point at one jump in the upper plot and find it in both curves below it.
 # Then ask the two questions again, as they were predicted.
 # The two answers are different frames.
 
 # %% [markdown] lang="ko" name="three-pens-notes" slide="notes"
-# 왼쪽 그림에서 튀는 곳 하나를 짚고, 오른쪽 두 곡선에서 찾게 합니다.
+# 위 그림에서 튀는 곳 하나를 짚고, 아래 두 곡선에서 찾게 합니다.
 # 그다음 예측한 두 질문을 다시 묻습니다.
 # 두 질문의 답은 서로 다릅니다.
 
@@ -190,9 +197,9 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # %% name="around-the-jump" tags=["predicted"] slide="fragment"
 for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base_footprint')):
     before, after = pose(parent, child, 26.0), pose(parent, child, 26.1)
-    step = np.linalg.norm(np.subtract(after.translation, before.translation))
-    turn = after.rpy()[2] - before.rpy()[2]
-    print(f'{child:<15} in {parent:<5} slides {step:.2f} m, turns {turn:+.2f} rad')
+    moved = np.linalg.norm(np.subtract(after.translation, before.translation))
+    rotated = after.rpy()[2] - before.rpy()[2]
+    print(f'{child:<15} in {parent:<5} moves {moved:.2f} m, rotates {rotated:+.2f} rad')
 
 # %% [markdown] lang="en" name="around-the-jump-seen" tags=["predicted"]
 # In `odom` the robot moved five centimetres, as driven: a correction never changes [[odometry]].
@@ -206,14 +213,16 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # In 3D, seen from the map: move the slider, and watch the frame `odom`. It stands still, and then jumps.
+# At 26 s `odom` moves by 0.12 m and rotates. The robot is a metre and a half away from its origin, and moves by 0.24 m.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 지도를 기준으로 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 살펴보세요. 가만히 있다가 갑자기 튑니다.
-# *그림 읽기:* truth = 실제 경로, odom before = 바로잡기 전의 odom, time = 시각.
+# 26초에 `odom`은 0.12 m 이동하고 회전합니다. 그 원점에서 1.5 m 떨어진 로봇은 0.24 m 이동합니다.
+# *그림 읽기:* truth = 실제 경로, time = 시각. 위에서 본 그림에서는 회색이 바로잡기 전(grey: before)이고 뾰족한 쪽이 로봇의 앞입니다.
 
-# %% name="in-3d-scene" slide="skip"
+# %% name="in-3d-scene" tags=["collapsed"] slide="skip"
 scene = lesson.Scene(height_px=360)
-scene.look(eye=(3.0, -7.0, 6.0), target=(3.0, 0.0, 0.0))
+scene.look(eye=(2.2, -4.0, 3.6), target=(2.2, -0.3, 0.0))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.7)
 lesson.draw_path(scene, 'truth', truth[::5], colour='#9AA0A6')
 
@@ -222,13 +231,13 @@ def at_time(t):
     lesson.draw_frame(scene, 'odom', pose('map', 'odom', t), parent='map', length_m=0.7)
     lesson.draw_frame(scene, 'base_footprint', pose('map', 'base_footprint', t), parent='odom', length_m=0.5)
 
-# %% name="in-3d-sweep" tags=["interactive"]
+# %% name="in-3d-sweep" tags=["interactive", "collapsed"]
 scene.sweep('time', [20.0 + 0.5 * i for i in range(41)], at_time, unit='s')
 scene
 
 # %% name="in-3d-still" tags=["static"]
-frames = {'map': Transform(), 'odom': pose('map', 'odom', 26.1), 'base_footprint': pose('map', 'base_footprint', 26.1)}
-lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye=lesson.FROM_ABOVE, length_m=0.4)
+jump = {frame: (pose('map', frame, 26.0), pose('map', frame, 26.1)) for frame in ('odom', 'base_footprint')}
+lesson.draw_moves(jump, bodies=['base_footprint'])
 
 # %% [markdown] lang="en" name="the-sum" slide="slide"
 # ## What a localiser publishes
@@ -242,7 +251,7 @@ lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye
 # 노드는 지도 위 로봇의 포즈 `map_T_base`를 측정합니다. TF에는 오도메트리의 `odom_T_base`가 있습니다.
 # 필요한 것은 둘 사이의 변환 `map_T_odom`입니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
 
-# %% name="dominoes" slide="-"
+# %% name="dominoes" tags=["collapsed"] slide="-"
 lesson.draw_dominoes(('map', 'base'), ('base', 'odom'))
 
 # %% name="the-sum-in-code" slide="fragment"
@@ -254,6 +263,38 @@ t = 26.1
 computed = map_to_odom(pose('map', 'base_footprint', t), pose('odom', 'base_footprint', t))
 print('computed ', lesson.fmt_all(computed.translation), f'yaw {computed.rpy()[2]:+.3f} rad')
 print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {pose("map", "odom", t).rpy()[2]:+.3f} rad')
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# A scan matcher (a program that fits a scan to the map) returns `map_T_laser` for the scan's stamp. TF has `odom_T_base` and `base_T_laser` for the same time. Fill in the two blanks.
+#
+# ```python
+# map_T_base = map_T_laser @ ____________
+# map_T_odom = map_T_base @ ____________
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `base_T_laser.inverse()`, which is `laser_T_base`, and `odom_T_base.inverse()`. Neighbours match: [map | laser][laser | base][base | odom].
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 빈칸을 채워 보세요
+#
+# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔을 측정한 시각의 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+#
+# ```python
+# map_T_base = map_T_laser @ ____________
+# map_T_odom = map_T_base @ ____________
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `base_T_laser.inverse()`, 곧 `laser_T_base`와 `odom_T_base.inverse()`입니다. 이웃끼리 맞습니다. [map | laser][laser | base][base | odom].
+#
+# </details>
 
 # %% [markdown] lang="en" name="same-moment" slide="subslide"
 # Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the robot drives a curve, and the odometry's pose is a tenth of a second older. How far off is `map → odom`?
@@ -298,7 +339,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # 1 m 앞의 장애물을 0.1초 동안 기억합니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 기억합니다. 그사이 보정이 들어옵니다.
 # 목적지 하나는 `odom` 기준 숫자로 더 오래 기억합니다.
 
-# %% name="obstacle" tags=["predicted"] slide="fragment"
+# %% name="obstacle" tags=["predicted", "collapsed"] slide="fragment"
 there = robot.truth_at(seconds(26.1))['base_footprint'].inverse() @ robot.truth_at(seconds(26.0))['base_footprint']
 for keep in ('map', 'odom'):
     kept = pose(keep, 'base_footprint', 26.0).apply((1.0, 0.0, 0.0))
@@ -359,17 +400,28 @@ import math
 footprint_T_base = Transform.from_rpy(pitch=-math.radians(10), translation=(0.0, 0.0, 0.10))
 point = footprint_T_base.apply((2.2, 0.0, 0.15))
 print('in base_footprint', lesson.fmt_all(point, digits=2))
-lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}, {'seen': point},
-           fixed_frame='base_footprint', length_m=0.5)
+
+# %% name="nose-up-picture" tags=["collapsed"] slide="-"
+lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}, {'detected: 0.63 m up': point},
+                  ghost_points={'if level: 0.25 m up': (2.2, 0.0, 0.25)},
+                  fixed_frame='base_footprint', length_m=0.5, eye=lesson.FROM_THE_SIDE)
 
 # %% [markdown] lang="en" name="nose-up-seen"
-# 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake a wall for a low step.
-# On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have no `base_footprint`, or have it as a child of `base_link`. Check whether your robot publishes `odom → base_footprint` or `odom → base_link`, and never publish both.
+# 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake a wall for a low step. The figure shows both from the side.
+# On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have it as a child of `base_link`. Check whether your robot publishes `odom → base_footprint` or `odom → base_link`, and never publish both.
+#
+# Not every robot needs a `base_footprint`: it pays where `base_link` is above the floor and can tilt.
+# Decide by three things: the frame that your navigation stack is set to (in Nav2 `robot_base_frame`, and `base_frame_id` of AMCL), the frames that your URDF has, and the contract that says which node publishes which edge.
+# If a frame for the projection is already there, use it, and do not add a second frame for the same thing.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
-# *그림 읽기:* seen = 레이저가 본 점입니다.
+# *그림 읽기:* 옆에서 본 그림입니다. detected = 레이저가 본 점, if level = 로봇이 기울지 않았다고 여길 때의 점, up = 바닥에서의 높이.
 # 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽 한가운데를 낮은 턱으로 착각합니다.
-# 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 아예 없거나 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 `odom → base_footprint`와 `odom → base_link` 가운데 어느 것을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
+# 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 `odom → base_footprint`와 `odom → base_link` 가운데 어느 것을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
+#
+# 모든 로봇에 `base_footprint`가 필요한 것은 아닙니다. `base_link`가 바닥보다 높고 기울 수 있을 때 쓸모가 있습니다.
+# 세 가지를 보고 정합니다. 주행 패키지에 설정된 좌표계(Nav2의 `robot_base_frame`, AMCL의 `base_frame_id`), URDF에 있는 좌표계, 그리고 어느 노드가 어느 연결을 발행하는지 정한 약속입니다.
+# 바닥에 투영한 좌표계가 이미 있으면 그것을 쓰고, 같은 것에 좌표계를 하나 더 만들지 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
 # Tilt a book with a pen on it: how high is the pen's tip above the table?
@@ -380,38 +432,6 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # 펜 끝은 책상에서 얼마나 위에 있습니까?
 # 그다음 실제 로봇으로 묻습니다.
 # 여러분의 로봇에서 오도메트리 노드는 두 좌표계 가운데 어느 것을 발행합니까?
-
-# %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Now you write
-#
-# A scan matcher (a program that fits a scan to the map) returns `map_T_laser` for the scan's stamp. TF has `odom_T_base` and `base_T_laser` for the same time. Fill in the two blanks.
-#
-# ```python
-# map_T_base = map_T_laser @ ____________
-# map_T_odom = map_T_base @ ____________
-# ```
-#
-# <details><summary>Compare</summary>
-#
-# `base_T_laser.inverse()`, which is `laser_T_base`, and `odom_T_base.inverse()`. Neighbours match: [map | laser][laser | base][base | odom].
-#
-# </details>
-
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸을 채워 보세요
-#
-# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔을 측정한 시각의 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
-#
-# ```python
-# map_T_base = map_T_laser @ ____________
-# map_T_odom = map_T_base @ ____________
-# ```
-#
-# <details><summary>맞춰 보기</summary>
-#
-# `base_T_laser.inverse()`, 곧 `laser_T_base`와 `odom_T_base.inverse()`입니다. 이웃끼리 맞습니다. [map | laser][laser | base][base | odom].
-#
-# </details>
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: publish the pose in map
@@ -429,12 +449,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 #
 # **예측해 봅시다.** 두 조회가 *모두* 성공하는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
 
-# %% name="eager-robot" slide="skip"
-import rclpy
-from rclpy.node import Node
-from rclpy.time import Time
-from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
-
+# %% name="eager-robot" tags=["collapsed"] slide="skip"
 from tflab.ros.convert import msg_from_stamped
 
 graph = lesson.new_graph()
@@ -442,22 +457,32 @@ parts = ['robot_state_publisher', 'joint_driver', 'wheel_odometry', 'localizatio
 nodes = lesson.launch(graph, robot, only=parts)
 graph.run(seconds=1.0)
 
+
+def measured_pose(now):
+    """Return what the scan matcher finds at this time: map → base_footprint, as a TransformStamped."""
+    map_T_base = robot.truth_at(now.nanoseconds)['base_footprint']
+    return msg_from_stamped(StampedTransform('map', 'base_footprint', now.nanoseconds, map_T_base))
+
 # %% name="eager-localizer" slide="skip"
+import rclpy
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformBroadcaster, TransformException, TransformListener
+
+
 class EagerLocalizer(Node):
     def __init__(self):
         super().__init__('eager_localizer')
         self.broadcaster = TransformBroadcaster(self)
-        self.create_timer(0.1, self.tell)
+        self.create_timer(0.1, self.publish_pose)
 
-    def tell(self):
-        now_ns = self.get_clock().now().nanoseconds
-        here = robot.truth_at(now_ns)['base_footprint']
-        self.broadcaster.sendTransform(msg_from_stamped(StampedTransform('map', 'base_footprint', now_ns, here)))
+    def publish_pose(self):
+        self.broadcaster.sendTransform(measured_pose(self.get_clock().now()))  # map → base_footprint
 
 # %% name="switch-over" slide="-"
 # %ros2 param set /localization tf_broadcast false
 
-# %% name="a-thousand-questions" tags=["predicted"]
+# %% name="a-thousand-questions" tags=["predicted", "collapsed"]
 def main():
     rclpy.init()
     rclpy.spin(EagerLocalizer())
@@ -509,25 +534,10 @@ for _ in range(10):
         print(error)
         break
 
-# %% [markdown] lang="en" name="tree-of-it"
-# You see the fault in the tree once it lists the publisher of each transform:
-
-# %% [markdown] lang="ko" name="tree-of-it"
-# 트리에서 모양뿐 아니라 발행자까지 보면 분명해집니다.
-
-# %% name="owners" slide="subslide"
-lesson.frame_tree(graph, seconds=1.0)
-
 # %% [markdown] lang="en" name="cure"
-# The figure shows 32.1 Hz beside only one node, but that node sends 10 messages a second and the odometry 20. The buffer has one cache for each child. So the rate counts the messages of both publishers, and the name is that of the last one. It is slightly above 30, because the number of samples is divided by the time from the first sample to the last. ROS 2's `view_frames` counts in the same way.
-#
 # The fix is one line: publish `map_to_odom(map_T_base, odom_T_base)` with the stamp of the scan, and leave `base_footprint` to the wheel odometry.
 
 # %% [markdown] lang="ko" name="cure"
-# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
-#
-# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 그런데 그 노드는 1초에 10번, 바퀴 오도메트리 노드는 20번 보냅니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. 표본의 수를 첫 표본부터 마지막 표본까지의 시간으로 나누므로 30보다 조금 크게 나옵니다. ROS 2의 `view_frames`도 이렇게 셉니다.
-#
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴 오도메트리 노드에 맡기십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -614,11 +624,6 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 코스트맵(costmap)은 장애물을 적는 격자 지도입니다. 가까운 곳의 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `global_frame: map`을 씁니다. robot_localization에서는 `world_frame`을 `odom`이나 `map`으로 정하며, 그에 따라 노드가 발행하는 연결이 달라집니다.
 
-# %% name="stop" slide="skip"
-graph.stop()
-node.destroy_node()
-rclpy.shutdown()
-
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
@@ -636,88 +641,6 @@ rclpy.shutdown()
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 두 포즈는 같은 시각의 것입니다.
 # - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 포즈가 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
-
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and the 3.60 m in `base_link` already wrong when the message arrives?
-# 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
-# 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
-#
-# <details><summary>Answers</summary>
-#
-# 1. An object at rest keeps its coordinates in the frame in which it is at rest. The robot drove on.
-# 2. Nothing: tf2 does not check whether a child already has another parent. The child moves to the parent of the last message (chapter 04).
-# 3. `base_T_odom @ odom_T_map`: the order is reversed, too.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 메시지를 받은 순간 이미 맞지 않습니까?
-# 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 오류를 냅니까? 트리는 어떻게 됩니까?
-# 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결의 역변환의 합성으로 쓰면 무엇입니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 물체의 좌표는 그 물체가 움직이지 않는 좌표계에서만 변하지 않습니다. 로봇은 그사이 달렸습니다.
-# 2. 오류를 내지 않습니다. 자식에게 이미 다른 부모가 있는지는 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
-# 3. `base_T_odom @ odom_T_map`입니다. 합성하는 순서도 바뀝니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice questions · Q5 and Q6
-#
-# **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that are fixed in the world? Write four or five sentences.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] `odom → base_link` comes from odometry: continuous, good for a short time, and it drifts without bound.
-# - [ ] `map` is fixed in the world over a long time, and the robot's pose in it may jump when it is corrected.
-# - [ ] Use `odom` for control and for recent obstacles, `map` for goals.
-# - [ ] One frame cannot be continuous and free of drift at once, so there are two.
-# - [ ] `base_link` is fixed to the robot; sensors are its descendants.
-#
-# </details>
-#
-# **6.** Why does a localiser publish `map → odom` and not `map → base_link`? Write three or four sentences.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] A frame has one parent, and the wheel odometry already publishes `base_link` as a child of `odom`.
-# - [ ] Two parents do not raise an error: the frame alternates between them.
-# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and the edge of the odometry stays as it is.
-# - [ ] Both poses in that product have the same stamp.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q5, Q6
-#
-# **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] `odom → base_link`는 오도메트리로 구합니다. 연속이고 짧은 시간에는 정확하지만, 드리프트가 한없이 쌓입니다.
-# - [ ] `map`은 시간이 지나도 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
-# - [ ] 제어와 최근 몇 초의 장애물은 `odom`에, 목적지는 `map`에 둡니다.
-# - [ ] 한 좌표계가 연속이면서 드리프트하지 않을 수는 없으므로 둘입니다.
-# - [ ] `base_link`는 로봇에 고정되어 있고, 센서가 그 아래에 있습니다.
-#
-# </details>
-#
-# **6.** 위치 추정 노드는 왜 `map → base_link`가 아니라 `map → odom`을 발행합니까? 서너 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] 좌표계의 부모는 하나이고, `base_link`는 바퀴 오도메트리 노드가 이미 `odom` 아래에 두었습니다.
-# - [ ] 부모가 둘이어도 오류는 나지 않습니다. 트리가 번갈아 바뀝니다.
-# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 연결이 모두 남습니다.
-# - [ ] 합성하는 두 포즈는 같은 시각의 것입니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -750,10 +673,138 @@ rclpy.shutdown()
 # 오도메트리를 바로잡는다고 쓴 사람은 배우기 전의 생각이 그대로입니다.
 # `map → odom`이라고 쓴 사람과 짝을 지어 줍니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now say which pose may jump and which may drift, compute `map → odom`, and recognise a robot on which two nodes publish the base.
+#
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
 # In the exercises, `solution("E5.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
+#
+# The sections below are optional. Open a heading to see what it holds.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 어느 포즈가 튈 수 있고 어느 포즈가 드리프트할 수 있는지 구별하고, `map → odom`을 계산하고, 두 노드가 로봇의 포즈를 발행하는 로봇을 알아볼 수 있습니다.
+#
 # **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다. 어느 변환을 한 번만 발행하고, 어느 변환을 계속 발행할지 배웁니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
+#
+# 아래는 더 알고 싶을 때 보는 부분입니다. 제목을 펼치면 내용이 나옵니다.
+
+# %% [markdown] lang="en" name="tree-of-it" slide="slide"
+# ## Two publishers in one tree, and a rate of 32.1 Hz
+#
+# The robot of "Break it" is still running. You see its fault once the tree lists the publisher of each transform:
+
+# %% [markdown] lang="ko" name="tree-of-it" slide="slide"
+# ## 트리에 나타난 발행자 둘과 32.1 Hz
+#
+# 앞에서 고장 낸 로봇이 아직 실행되고 있습니다. 트리에서 모양뿐 아니라 발행자까지 보면 고장이 드러납니다.
+
+# %% name="owners" slide="subslide"
+lesson.frame_tree(graph, seconds=1.0)
+
+# %% [markdown] lang="en" name="owners-seen"
+# 32.1 Hz stands beside `/eager_localizer`, but that node sends 10 messages a second. The odometry sends 20, and the rate counts both.
+# The reason is that a buffer has one cache for each child, whichever node sends it. The name is that of the publisher of the last message. ROS 2's own `view_frames` counts in the same way.
+# The rate is slightly above 30, because the number of samples is divided by the time from the first sample to the last. For the same reason a wheel at 20 Hz is shown with 21.1 Hz.
+
+# %% [markdown] lang="ko" name="owners-seen"
+# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
+#
+# `/eager_localizer` 옆에 32.1 Hz가 적혀 있습니다. 그런데 이 노드는 1초에 10번 보냅니다. 20번을 보내는 것은 바퀴 오도메트리 노드이고, 발행률은 둘을 합한 값입니다.
+# 버퍼는 어느 노드가 보냈든 자식마다 기록을 하나만 두기 때문입니다. 이름은 마지막 메시지를 보낸 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
+# 표본의 수를 첫 표본부터 마지막 표본까지의 시간으로 나누므로 30보다 조금 크게 나옵니다. 20 Hz인 바퀴가 21.1 Hz로 나오는 것도 같은 까닭입니다.
+
+# %% name="stop" slide="skip"
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
+# ## Three questions from earlier chapters
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
+# 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and the 3.60 m in `base_link` already wrong when the message arrives?
+# 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
+# 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
+#
+# <details><summary>Answers</summary>
+#
+# 1. An object at rest keeps its coordinates in the frame in which it is at rest. The robot drove on.
+# 2. Nothing: tf2 does not check whether a child already has another parent. The child moves to the parent of the last message (chapter 04).
+# 3. `base_T_odom @ odom_T_map`: the order is reversed, too.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="-"
+# 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 메시지를 받은 순간 이미 맞지 않습니까?
+# 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 오류를 냅니까? 트리는 어떻게 됩니까?
+# 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결의 역변환의 합성으로 쓰면 무엇입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 물체의 좌표는 그 물체가 움직이지 않는 좌표계에서만 변하지 않습니다. 로봇은 그사이 달렸습니다.
+# 2. 오류를 내지 않습니다. 자식에게 이미 다른 부모가 있는지는 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
+# 3. `base_T_odom @ odom_T_map`입니다. 합성하는 순서도 바뀝니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
+# ## Practice questions · Q5 and Q6
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q5, Q6
+
+# %% [markdown] lang="en" name="practice" slide="-"
+# **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that are fixed in the world? Write four or five sentences.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] `odom → base_link` comes from odometry: continuous, good for a short time, and it drifts without bound.
+# - [ ] `map` is fixed in the world over a long time, and the robot's pose in it may jump when it is corrected.
+# - [ ] Use `odom` for control and for recent obstacles, `map` for goals.
+# - [ ] One frame cannot be continuous and free of drift at once, so there are two.
+# - [ ] `base_link` is fixed to the robot; sensors are its descendants.
+#
+# </details>
+#
+# **6.** Why does a localiser publish `map → odom` and not `map → base_link`? Write three or four sentences.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] A frame has one parent, and the wheel odometry already publishes `base_link` as a child of `odom`.
+# - [ ] Two parents do not raise an error: the frame alternates between them.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and the edge of the odometry stays as it is.
+# - [ ] Both poses in that product have the same stamp.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="-"
+# **5.** `map`, `odom`, `base_link`는 각각 무엇을 약속합니까? 세계에 고정된 기준 좌표계가 왜 둘입니까? 네다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `odom → base_link`는 오도메트리로 구합니다. 연속이고 짧은 시간에는 정확하지만, 드리프트가 한없이 쌓입니다.
+# - [ ] `map`은 시간이 지나도 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
+# - [ ] 제어와 최근 몇 초의 장애물은 `odom`에, 목적지는 `map`에 둡니다.
+# - [ ] 한 좌표계가 연속이면서 드리프트하지 않을 수는 없으므로 둘입니다.
+# - [ ] `base_link`는 로봇에 고정되어 있고, 센서가 그 아래에 있습니다.
+#
+# </details>
+#
+# **6.** 위치 추정 노드는 왜 `map → base_link`가 아니라 `map → odom`을 발행합니까? 서너 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 좌표계의 부모는 하나이고, `base_link`는 바퀴 오도메트리 노드가 이미 `odom` 아래에 두었습니다.
+# - [ ] 부모가 둘이어도 오류는 나지 않습니다. 트리가 번갈아 바뀝니다.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 연결이 모두 남습니다.
+# - [ ] 합성하는 두 포즈는 같은 시각의 것입니다.
+#
+# </details>

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 06 · Static and dynamic
 #
-# **Publish it once, or all the time?** · about 60 minutes · builds on 03 and 04
+# **Publish it once, or all the time?** · about 35 minutes · builds on 03 and 04
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 06 · 정적 변환과 동적 변환
 #
-# **한 번만 발행할까요, 계속 발행할까요?** · 약 60분 · 03, 04장을 바탕으로 합니다
+# **한 번만 발행할까요, 계속 발행할까요?** · 약 35분 · 03, 04장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -103,7 +103,7 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 #
 # The board is a part of the [[qos|quality of service]] of a publisher. Its ROS name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. The `depth` is the number of messages that it keeps. tf2's publishers on `/tf_static` use **one**.
 #
-# Here is the program of the story, and a function that creates a listener.
+# Here is the program of the story. `placed` fills in the message: parent, child, position and rotation.
 
 # %% [markdown] lang="ko" name="board" slide="slide"
 # ## 게시판
@@ -113,9 +113,9 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 #
 # 게시판을 둘지는 [[qos|서비스 품질(QoS)]]로 정합니다. 메시지를 어떻게 전달할지 정하는 설정들입니다. 그 가운데 게시판에 관한 것은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 메시지를 몇 개까지 남길지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
 #
-# 다음은 이야기 속의 프로그램과, 수신기로 참가하는 함수입니다.
+# 다음은 이야기 속의 프로그램입니다. `placed`는 메시지에 부모, 자식, 위치, 회전을 채웁니다.
 
-# %% name="imports" slide="skip"
+# %% name="imports" tags=["collapsed"] slide="skip"
 import math
 import time
 
@@ -150,7 +150,7 @@ def calibrator():
         time.sleep(0.25)
     rclpy.spin(node)
 
-# %% name="listen"
+# %% name="listen" tags=["collapsed"]
 def listen(name):
     node = Node(name)
     buffer = Buffer()
@@ -159,14 +159,14 @@ def listen(name):
     return buffer
 
 # %% [markdown] lang="en" name="early-and-late"
-# `early` exists before the program starts, `late` joins when all four have been sent.
-# (`graph` is this page's simulation; `graph.run` lets simulated time pass.)
+# Two listeners join, each a node with a `Buffer` and a `TransformListener`. `early` exists before the program starts, `late` joins when all four have been sent.
+# (`graph` is this page's simulation, and `graph.run` lets simulated time pass. `listen` creates a listener.)
 
 # %% [markdown] lang="ko" name="early-and-late"
-# `early`는 프로그램보다 먼저 참가해 있고, `late`는 네 개를 모두 보낸 뒤에 참가합니다.
-# (`graph`는 이 페이지 안에 있는 가상의 ROS 2 환경이고, `graph.run`은 가상 시간을 흐르게 합니다.)
+# 수신기 둘이 참가합니다. 저마다 `Buffer`와 `TransformListener`가 있는 노드입니다. `early`는 프로그램보다 먼저 참가해 있고, `late`는 네 개를 모두 보낸 뒤에 참가합니다.
+# (`graph`는 이 페이지 안에 있는 가상의 ROS 2 환경이고, `graph.run`은 가상 시간을 흐르게 합니다. `listen`은 수신기를 만듭니다.)
 
-# %% name="two-listeners" tags=["predicted"] slide="fragment"
+# %% name="two-listeners" tags=["predicted", "collapsed"] slide="fragment"
 graph = lesson.new_graph()
 rclpy.try_shutdown()
 rclpy.init()
@@ -201,7 +201,7 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # 답은 0이나 4가 아닙니다.
 # 0이라고 한 사람도 4라고 한 사람도 이유를 확인합니다.
 
-# %% name="late-join" tags=["predicted"] slide="-"
+# %% name="late-join" tags=["predicted", "collapsed"] slide="-"
 letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
 one_by_one = lesson.Sender('calibrator', letters)
 lesson.draw_joins([one_by_one], join_s=3.0, until_s=6.0)
@@ -224,41 +224,11 @@ def all_in_one():
     StaticTransformBroadcaster(node).sendTransform(cameras)
     rclpy.spin(node)
 
-
+# %% name="all-in-one-run" tags=["collapsed"] slide="-"
 graph.stop(calibrating)
 calibrating = graph.start(all_in_one, name='calibrator')
 later = listen('later')
 print(later.all_frames_as_string())
-
-# %% [markdown] lang="en" name="in-a-loop"
-# <details><summary>Deeper: and sendTransform in a loop?</summary>
-#
-# Then it depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
-#
-# | ROS 2, Python | a late listener receives | a child that is sent again |
-# |---|---|---|
-# | Humble | the last one | is the only one on the board |
-# | Jazzy | all | is **ignored**: the old value stays |
-# | Lyrical, and C++ everywhere | all | replaces the old value |
-#
-# One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)`, create a new broadcaster, and send all its mounts again.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="in-a-loop"
-# <details><summary>더 깊이: 반복문에서 sendTransform을 호출하면?</summary>
-#
-# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
-#
-# | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
-# |---|---|---|
-# | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
-# | Jazzy | 모두 | **무시됩니다**. 이전 값이 그대로 남습니다 |
-# | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
-#
-# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어 장착 변환을 모두 다시 보내야 합니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="who-holds-it" slide="slide"
 # ## The board belongs to its publisher
@@ -285,7 +255,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # Nothing "in ROS" stores a static transform. The board is in the publisher's process and ends with it: `Publisher count: 0`.
 # A listener that received the message keeps it, for all times, even for 1000 s. A listener that joins later receives nothing.
 #
-# So a static publisher has to stay alive. That is why the lecture's node (shown below) sends its one message and then calls `spin`, which keeps it alive. "Late listeners receive it" is true while the publisher lives.
+# So a static publisher has to stay alive. That is why the node at the end of this page sends its one message and then calls `spin`, which keeps it alive. "Late listeners receive it" is true while the publisher lives.
 #
 # And this is what `newcomer` raises if you look up a camera:
 
@@ -293,7 +263,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # 정적 변환을 “ROS가” 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
 # 이미 받은 수신기에는 변환이 남아 있습니다. 1000초의 변환을 조회해도 값이 나옵니다. 나중에 참가한 수신기는 아무것도 받지 못합니다.
 #
-# 그래서 정적 변환의 발행자는 계속 실행되고 있어야 합니다. 강의의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. “나중에 참가한 구독자도 받는다”는 말은 발행자가 실행 중인 동안에만 맞습니다.
+# 그래서 정적 변환의 발행자는 계속 실행되고 있어야 합니다. 이 페이지 끝에 있는 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. “나중에 참가한 구독자도 받는다”는 말은 발행자가 실행 중인 동안에만 맞습니다.
 #
 # 아무것도 받지 못한 `newcomer`에서 카메라의 변환을 조회하면 다음 오류가 납니다.
 
@@ -313,7 +283,7 @@ except TransformException as error:
     print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="volatile" slide="slide"
-# ## Sender and listener both need the board
+# ## Break it: a publisher without a board
 #
 # A driver publishes its mount on `/tf_static`, with a plain publisher: `create_publisher(TFMessage, '/tf_static', 1)`.
 # Its durability is the default, VOLATILE: no board. tf2's listener requests the board.
@@ -321,14 +291,14 @@ except TransformException as error:
 # **Predict:** the listener exists *before* the driver sends. Does it receive the message?
 
 # %% [markdown] lang="ko" name="volatile" slide="slide"
-# ## 발행자와 수신기 모두 게시판을 설정해야 합니다
+# ## 일부러 고장 내기: 게시판 없는 발행자
 #
 # 어느 드라이버가 장착 변환을 `/tf_static`에 평범한 퍼블리셔로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
 # 지속성은 기본값인 VOLATILE이라 게시판이 없습니다. 그런데 tf2의 수신기는 게시판을 요구합니다.
 #
 # **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 참가해 있습니다. 메시지를 받을까요?
 
-# %% name="a-volatile-driver" tags=["predicted"] slide="fragment"
+# %% name="a-volatile-driver" tags=["predicted", "collapsed"] slide="fragment"
 def driver():
     rclpy.init()
     node = Node('driver')
@@ -346,7 +316,7 @@ graph.run(seconds=1.0)
 print('early knows:', early.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="en" name="volatile-seen" tags=["predicted"]
-# No frame at all. The publisher offers less than the listener requests, so the two are never connected. Each prints one warning, which contains `DURABILITY`.
+# No frame at all. The publisher offers less than the listener requests, so the two are never connected. Sender and listener both need the board. Each prints one warning, which contains `DURABILITY`.
 # The error that you meet later reports only that a frame does not exist. Look for this warning first.
 #
 # Now it is your turn. Drag `join` from left to right, and watch what the listener receives. Then let it request VOLATILE.
@@ -355,7 +325,7 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # - For which timeline does it not matter when you join? For which one does the board not matter?
 
 # %% [markdown] lang="ko" name="volatile-seen" tags=["predicted"]
-# 좌표계를 하나도 받지 못했습니다. 발행자가 제공하는 지속성이 수신기가 요구하는 것보다 낮아서 통신이 아예 성립하지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 그 경고는 화면 위로 밀려 올라갑니다.
+# 좌표계를 하나도 받지 못했습니다. 발행자가 제공하는 지속성이 수신기가 요구하는 것보다 낮아서 통신이 아예 성립하지 않습니다. 게시판은 발행자와 수신기 모두 설정해야 합니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 그 경고는 화면 위로 밀려 올라갑니다.
 # 나중에 나오는 오류 메시지에는 좌표계가 없다고만 적혀 있습니다. 이 경고부터 찾으십시오.
 #
 # 이제 직접 해 볼 차례입니다. 참가 시각을 왼쪽에서 오른쪽으로 끌며 수신기가 받는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
@@ -375,7 +345,7 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # 어디에 나오는지 보여 준 다음, 일주일 뒤 누군가 보내올 오류를 묻습니다.
 # 좌표계가 없다는 오류입니다.
 
-# %% name="come-later" tags=["interactive"] slide="subslide"
+# %% name="come-later" tags=["interactive", "collapsed"] slide="subslide"
 cameras = ('camera_1', 'camera_2', 'camera_3', 'camera_4')
 senders = (
     one_by_one._replace(ends_s=4.5),
@@ -424,191 +394,18 @@ graph = lesson.new_graph()
 # --frame-id base_link \
 # --child-frame-id laser_frame
 
-# %% [markdown] lang="en" name="break-command" slide="slide"
-# ## Break it: the command line
-#
-# Two attempts to publish a camera that is rotated by 30°, 0.2 m ahead. **Predict** for each: an error, or something else?
-
-# %% [markdown] lang="ko" name="break-command" slide="slide"
-# ## 일부러 고장 내기: 명령줄
-#
-# 0.2 m 앞에 30° 회전시켜 장착한 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
-
-# %% name="thirty" tags=["predicted"] slide="fragment"
-# %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
-# %ros2 --for 1.2 run tf2_ros tf2_echo base_link camera_link
-
-# %% name="equals-sign" tags=["predicted"] slide="subslide"
-# %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
-
-# %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
-# - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The command without an error is the harmful one.
-# - `--x=0.2` is right in many other programs. This tool rejects it: write the option and its value as two words, `--x 0.2`.
-# - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
-#
-# <details><summary>Deeper: the old order</summary>
-#
-# Old tutorials pass six numbers and two frames without option names: `x y z yaw pitch roll parent child`. Note that **yaw** comes first. It still works, with a warning, and one day it will not.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="break-command-seen" tags=["predicted"]
-# - `--yaw 30`은 오류 없이 받아들여집니다. 30 **라디안**, 곧 네 번 회전하고도 279°를 더 회전합니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
-# - `--x=0.2`는 다른 프로그램에서는 대개 맞는 표기입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
-# - 회전은 각도와 쿼터니언 가운데 하나로만 적습니다. `--yaw`와 `--qz`를 함께 쓰면 `Cannot specify both quaternion and Euler rotations`라고 나옵니다.
-#
-# <details><summary>더 깊이: 예전의 순서</summary>
-#
-# 오래된 자료에는 옵션 없이 `x y z yaw pitch roll parent child`로 적혀 있습니다. **yaw**가 먼저임을 주의하십시오. 아직은 경고와 함께 동작하지만 언젠가는 사라집니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="break-command-notes" slide="notes"
-# Hands before each: error or not?
-# The one without an error rotated the camera by more than four full rotations.
-# Degrees are a strong habit; say radians aloud with every yaw today.
-
-# %% [markdown] lang="ko" name="break-command-notes" slide="notes"
-# 하나씩 손을 들게 합니다.
-# 오류가 날까요?
-# 오류 없이 지나간 쪽이 카메라를 네 번 넘게 회전시켰습니다.
-# 라디안 자리에 도를 쓰는 것은 잘 고쳐지지 않는 버릇입니다.
-# 이 시간에는 yaw를 말할 때마다 라디안을 붙입니다.
-
-# %% [markdown] lang="en" name="echo-once" slide="subslide"
-# A second publisher is active now, and you want to see both. The first command that everybody types is the lecture's `topic echo --once`. Try it, and then let it run for a second.
-
-# %% [markdown] lang="ko" name="echo-once" slide="subslide"
-# 지금 정적 변환의 발행자는 둘이고, 둘 다 보고 싶습니다. 흔히 강의의 `topic echo --once`부터 입력합니다. 먼저 해 보고, 그다음에는 1초 동안 받아 보세요.
-
-# %% name="echo-one-board" tags=["predicted"] slide="-"
-# %ros2 topic echo /tf_static --once --flow-style
-# %ros2 --for 1 topic echo /tf_static --flow-style
-
-# %% [markdown] lang="en" name="echo-one-board-seen" tags=["predicted"]
-# `--once` means one *message*, and there are two boards, one for each publisher. So the first command prints only one of the two mounts.
-
-# %% [markdown] lang="ko" name="echo-one-board-seen" tags=["predicted"]
-# `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째 명령으로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
-
-# %% [markdown] lang="en" name="static-node" slide="slide"
-# ### The same from Python
-#
-# <details><summary>The lecture's node, complete: save it as <code>static_sensor_broadcaster.py</code></summary>
-#
-# ```python
-# # tf_lab_py/static_sensor_broadcaster.py
-# import rclpy
-# from geometry_msgs.msg import TransformStamped
-# from rclpy.node import Node
-# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-#
-#
-# class StaticSensorBroadcaster(Node):
-#     def __init__(self):
-#         super().__init__('static_sensor_broadcaster')
-#         self.broadcaster = StaticTransformBroadcaster(self)
-#         transform = TransformStamped()
-#         transform.header.stamp = self.get_clock().now().to_msg()
-#         transform.header.frame_id = 'base_link'
-#         transform.child_frame_id = 'laser_frame'
-#         transform.transform.translation.x = 0.20
-#         transform.transform.translation.y = 0.0
-#         transform.transform.translation.z = 0.15
-#         transform.transform.rotation.x = 0.0
-#         transform.transform.rotation.y = 0.0
-#         transform.transform.rotation.z = 0.0
-#         transform.transform.rotation.w = 1.0
-#         self.broadcaster.sendTransform(transform)
-#         self.get_logger().info('sent: base_link → laser_frame')
-#
-#
-# def main(args=None):
-#     rclpy.init(args=args)
-#     node = StaticSensorBroadcaster()
-#     try:
-#         rclpy.spin(node)
-#     except KeyboardInterrupt:
-#         pass
-#     finally:
-#         node.destroy_node()
-#         rclpy.shutdown()
-#
-#
-# if __name__ == '__main__':
-#     main()
-# ```
-#
-# </details>
-#
-# Its main part has three steps: create a `TransformStamped`, fill in parent, child and numbers, send it once. The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
-
-# %% [markdown] lang="ko" name="static-node" slide="slide"
-# ### 같은 일을 파이썬으로
-#
-# <details><summary>강의의 노드 전체: <code>static_sensor_broadcaster.py</code>로 저장해 보세요</summary>
-#
-# ```python
-# # tf_lab_py/static_sensor_broadcaster.py
-# import rclpy
-# from geometry_msgs.msg import TransformStamped
-# from rclpy.node import Node
-# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
-#
-#
-# class StaticSensorBroadcaster(Node):
-#     def __init__(self):
-#         super().__init__('static_sensor_broadcaster')
-#         self.broadcaster = StaticTransformBroadcaster(self)
-#
-#         transform = TransformStamped()
-#         transform.header.stamp = self.get_clock().now().to_msg()
-#         transform.header.frame_id = 'base_link'
-#         transform.child_frame_id = 'laser_frame'
-#         transform.transform.translation.x = 0.20
-#         transform.transform.translation.y = 0.0
-#         transform.transform.translation.z = 0.15
-#         transform.transform.rotation.x = 0.0
-#         transform.transform.rotation.y = 0.0
-#         transform.transform.rotation.z = 0.0
-#         transform.transform.rotation.w = 1.0
-#
-#         self.broadcaster.sendTransform(transform)
-#         self.get_logger().info('base_link → laser_frame 발행')
-#
-#
-# def main(args=None):
-#     rclpy.init(args=args)
-#     node = StaticSensorBroadcaster()
-#     try:
-#         rclpy.spin(node)
-#     except KeyboardInterrupt:
-#         pass
-#     finally:
-#         node.destroy_node()
-#         rclpy.shutdown()
-#
-#
-# if __name__ == '__main__':
-#     main()
-# ```
-#
-# </details>
-#
-# 핵심은 세 단계입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서의 장착 변환을 두 노드에서 발행하지는 마십시오.
-
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
 #
 # A transform that changes is published on `/tf`, again and again, each time stamped with the time at which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at 20 Hz at most 0.05 s.
-# Here is the lecture's robot on its circle, 20 times a second. (The complete file is below, folded.)
+# Here is the lecture's robot on its circle, 20 times a second.
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
 # ## 라디오
 #
 # 움직이는 것은 `/tf`로 계속 발행합니다. 메시지마다 그 값이 어느 시각의 것인지 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 라디오 방송처럼, 보관되는 것이 없습니다. 나중에 참가한 수신기는 다음 메시지를 기다리면 됩니다. 20 Hz라면 길어야 0.05초입니다.
 #
-# 강의의 로봇이 1초에 스무 번 포즈를 발행하며 원을 그립니다. (파일 전체는 아래에 접어 두었습니다.)
+# 강의의 로봇이 1초에 스무 번 포즈를 발행하며 원을 그립니다.
 
 # %% name="moving-robot"
 class MovingRobotBroadcaster(Node):
@@ -625,7 +422,7 @@ class MovingRobotBroadcaster(Node):
         x, y = math.cos(self.theta), math.sin(self.theta)
         self.broadcaster.sendTransform(placed(self, 'odom', 'base_link', x, y, yaw=self.theta + self.heading))
 
-# %% name="drive-the-circle"
+# %% name="drive-the-circle" tags=["collapsed"]
 def run(node_class):
     rclpy.init()
     rclpy.spin(node_class())
@@ -648,7 +445,7 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # 다음은 수신기의 버퍼에 있는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간. 맨 아래는 요청 시각의 변환을 조회한 결과입니다.
 
-# %% name="radio-history" slide="subslide"
+# %% name="radio-history" tags=["collapsed"] slide="subslide"
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
 
 # %% [markdown] lang="en" name="lift" slide="slide"
@@ -663,7 +460,7 @@ lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5)
 # 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 발행합니다. 그런 다음 멈춥니다. 높이가 그대로이므로 프로그램은 더 발행하지 않습니다.
 # (`BufferCore`는 수신기가 채우는 버퍼입니다. 여기서는 직접 채웁니다.)
 
-# %% name="lift-rises" slide="-"
+# %% name="lift-rises" tags=["collapsed"] slide="-"
 def height_at(t):
     return StampedTransform('base_link', 'lift', seconds(t), Transform((0.0, 0.0, 0.25 * (t - 1.0))))
 
@@ -694,7 +491,7 @@ except TransformException as error:
 #
 # 메시지가 없다는 것만으로는 아무것도 알 수 없습니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 발행해야 합니다.
 
-# %% name="lift-history" tags=["predicted"] slide="subslide"
+# %% name="lift-history" tags=["predicted", "collapsed"] slide="subslide"
 lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 
 # %% [markdown] lang="en" name="bolt" slide="slide"
@@ -713,7 +510,7 @@ lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 #
 # **예측해 봅시다.** 카메라는 로봇 위에서 움직이지 않습니다. 조회한 값은 최악의 경우 몇 초 전의 것일까요? 카메라의 경로는 어떤 모양일까요?
 
-# %% name="three-nodes" slide="skip"
+# %% name="three-nodes" tags=["collapsed"] slide="skip"
 class Wheels(Node):
     def __init__(self):
         super().__init__('wheels')
@@ -737,7 +534,7 @@ class LaserMount(Node):
         super().__init__('laser_mount')
         StaticTransformBroadcaster(self).sendTransform(placed(self, 'base_link', 'laser_frame', 0.2))
 
-# %% name="start-the-mounts" slide="skip"
+# %% name="start-the-mounts" tags=["collapsed"] slide="skip"
 graph = lesson.new_graph()
 for node_class in (Wheels, CameraMount, LaserMount):
     graph.start(run, node_class, name=node_class.__name__.lower())
@@ -746,7 +543,7 @@ rclpy.init()
 listener = listen('listener')
 graph.run(seconds=2.5)
 
-# %% name="hundred-questions" tags=["predicted"] slide="subslide"
+# %% name="hundred-questions" tags=["predicted", "collapsed"] slide="subslide"
 asked, age, where, refused = [], {'camera_link': [], 'laser_frame': []}, [], 0
 for _ in range(100):
     graph.run(seconds=0.03)
@@ -761,7 +558,7 @@ for frame, ages in age.items():
     print(f'{frame:<12} at worst {max(ages):.2f} s old')
 print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refused:', refused, 'of 100')
 
-# %% name="draw-the-ages" tags=["predicted"] slide="-"
+# %% name="draw-the-ages" tags=["predicted", "collapsed"] slide="-"
 lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
 
 # %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
@@ -778,7 +575,7 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 #
 # 고정 부품을 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 연결을 지나는 *최신* 조회의 값은 최대 한 주기만큼 오래된 것이고, 조금 전의 시각을 조회하면 예외가 발생합니다. 1초에 110번 보내면 문제가 드러나지 않지만 그만큼 통신량이 듭니다. 게시판의 메시지 하나면 됩니다.
 
-# %% name="bolt-history" tags=["predicted"] slide="subslide"
+# %% name="bolt-history" tags=["predicted", "collapsed"] slide="subslide"
 graph.run(seconds=0.6)
 lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1))
 
@@ -827,6 +624,40 @@ for t in (1.0, 3.0, 6.0):
 # 왼쪽 아래 칸에는 오류 메시지가 아예 없습니다.
 # 어떻게 찾아낼지 묻습니다.
 
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ### Now you write
+#
+# A robot has three cameras with fixed mounts, and a pan head that rotates. Fill in the two blanks.
+#
+# ```python
+# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
+# ____________(node).sendTransform(______)
+# self.create_timer(0.05, self.tell_the_pan_head)
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is published by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ### 빈칸을 채워 보세요
+#
+# 로봇에 고정된 카메라 세 대와 좌우로 회전하는 팬 헤드가 있습니다. 빈칸 두 개를 채워 보세요.
+#
+# ```python
+# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
+# ____________(node).sendTransform(______)
+# self.create_timer(0.05, self.tell_the_pan_head)
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`입니다. 리스트 전체를 한 번만 보냅니다. 팬 헤드는 `tell_the_pan_head` 안에서 `TransformBroadcaster`로 보내며, 멈춰 있는 동안에도 보냅니다.
+#
+# </details>
+
 # %% [markdown] lang="en" name="crab" slide="slide"
 # ## The crab
 #
@@ -839,7 +670,7 @@ for t in (1.0, 3.0, 6.0):
 # 다시 강의의 로봇입니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇을 기준으로는 어디로 가고 있을까요?
 # 5초의 로봇 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
 
-# %% name="one-second-later" tags=["predicted"] slide="fragment"
+# %% name="drive-it" tags=["collapsed"] slide="skip"
 def drive(node_class):
     graph = lesson.new_graph()
     graph.start(run, node_class)
@@ -851,23 +682,25 @@ def drive(node_class):
     return [heard.core.lookup_transform('odom', 'base_link', seconds(t)).transform for t in (4.0, 5.0)]
 
 
-then, later = drive(MovingRobotBroadcaster)
+circle = [(math.cos(0.05 * k), math.sin(0.05 * k), 0.0) for k in range(127)]
+
+# %% name="one-second-later" tags=["predicted"] slide="fragment"
+then, later = drive(MovingRobotBroadcaster)  # odom_T_base at 4 s and at 5 s
 step = then.inverse().apply(later.translation)
 print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
-# %% name="crab-from-above" tags=["predicted"] slide="-"
-lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later': later},
-           arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
+# %% name="crab-from-above" tags=["predicted", "collapsed"] slide="-"
+lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, length_m=0.15, before='at 4 s')
 
 # %% [markdown] lang="en" name="crab-seen" tags=["predicted"]
 # Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and faces outwards all the time. A robot with ordinary wheels cannot do that.
 # The code sets `yaw = θ`. But θ is the angle of the *position* on the circle, seen from its centre. On a circle, forward is at right angles to that: `θ + π/2`.
 #
 # No tool reports an error, since each message is a valid pose. Only one question finds it: in which direction does the robot move *along its own axes*?
-# Remember this arrow. x is drawn solid, y dashed: the robot should move along the solid one.
+# In the figure the pointed end is the robot's front, its x axis, and the arrow is the move of one second. The arrow should go where the front points.
 
 # %% [markdown] lang="ko" name="crab-seen" tags=["predicted"]
-# *그림 읽기:* goes = 1초 동안 가는 방향, 1 s later = 1초 뒤의 로봇. 실선이 x(앞), 파선이 y(왼쪽)입니다.
+# *그림 읽기:* 위에서 본 그림입니다. 회색은 4초(grey: at 4 s), 검은색은 5초의 로봇이고 뾰족한 쪽이 앞, 곧 x축입니다. 화살표는 1초 동안 간 거리와 방향입니다. 화살표는 뾰족한 쪽으로 향해야 합니다.
 #
 # 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 보통의 바퀴로 달리는 로봇은 이렇게 움직일 수 없습니다.
 #
@@ -903,10 +736,10 @@ then, later = drive(ForwardRobot)
 step = then.inverse().apply(later.translation)
 print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
-# %% name="crab-scene" tags=["interactive"]
+# %% name="crab-scene" tags=["interactive", "collapsed"]
 scene = lesson.Scene(height_px=340)
-scene.look(eye=(0.0, -2.6, 2.6), target=(0.0, 0.0, 0.0))
-lesson.draw_path(scene, 'circle', [(math.cos(0.1 * k), math.sin(0.1 * k), 0.0) for k in range(64)], colour='#9AA0A6')
+scene.look(eye=(0.3, -2.5, 1.9), target=(0.1, -0.4, 0.0))
+lesson.draw_path(scene, 'circle', circle, colour='#9AA0A6')
 
 
 def at_angle(theta):
@@ -917,188 +750,17 @@ def at_angle(theta):
     lesson.draw_arrow(scene, 'goes', place, ahead, 'goes', lesson.ACCENT, radius_m=0.02)
 
 
-scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad')
+scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad', start=15)
 scene
 
 # %% name="forward-still" tags=["static"]
-lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later': later},
-           arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
+lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, length_m=0.15, before='at 4 s')
 
 # %% [markdown] lang="en" name="forward-notes" slide="notes"
 # Let one person walk the circle, once facing outwards, once facing where they go. The class laughs at the first, and nobody forgets it.
 
 # %% [markdown] lang="ko" name="forward-notes" slide="notes"
 # 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다.
-
-# %% [markdown] lang="en" name="dynamic-node" slide="skip"
-# <details><summary>The lecture's moving node, complete and unchanged: save it as <code>moving_robot_broadcaster.py</code></summary>
-#
-# ```python
-# # tf_lab_py/moving_robot_broadcaster.py
-# import math
-# import rclpy
-# from geometry_msgs.msg import TransformStamped
-# from rclpy.node import Node
-# from tf2_ros import TransformBroadcaster
-#
-#
-# class MovingRobotBroadcaster(Node):
-#     def __init__(self):
-#         super().__init__('moving_robot_broadcaster')
-#         self.broadcaster = TransformBroadcaster(self)
-#         self.theta = 0.0
-#         self.timer = self.create_timer(0.05, self.tick)
-#
-#     def tick(self):
-#         self.theta += 0.01
-#         transform = TransformStamped()
-#         transform.header.stamp = self.get_clock().now().to_msg()
-#         transform.header.frame_id = 'odom'
-#         transform.child_frame_id = 'base_link'
-#         transform.transform.translation.x = math.cos(self.theta)
-#         transform.transform.translation.y = math.sin(self.theta)
-#         transform.transform.translation.z = 0.0
-#         # a yaw in the plane, as a quaternion
-#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
-#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
-#         self.broadcaster.sendTransform(transform)
-#
-#
-# def main(args=None):
-#     rclpy.init(args=args)
-#     node = MovingRobotBroadcaster()
-#     try:
-#         rclpy.spin(node)
-#     except KeyboardInterrupt:
-#         pass
-#     finally:
-#         node.destroy_node()
-#         rclpy.shutdown()
-#
-#
-# if __name__ == '__main__':
-#     main()
-# ```
-#
-# </details>
-#
-# Stamp a dynamic transform with the time of its *measurement*. If you stamp it with the time at which a callback ran, you hide every delay before the callback.
-#
-# <details><summary>Deeper: the two turtles of the official tutorials</summary>
-#
-# The official tf2 tutorials drive turtles in turtlesim. `turtle2` looks up the transform to `turtle1`, and follows it. Their package `turtle_tf2_py` runs here unchanged (github.com/ros/geometry_tutorials, branch `ros2`). Put its folder beside this notebook, and run three cells:
-#
-# ```
-# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
-# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
-# %turtlesim
-# ```
-#
-# The first cell starts turtlesim, two broadcasters and the listener. The second drives `turtle1` in a circle for ten seconds. The third draws the field and the lines of both pens. In a terminal, `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py` does the same as the first cell.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="dynamic-node" slide="skip"
-# <details><summary>강의의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장해 보세요</summary>
-#
-# ```python
-# # tf_lab_py/moving_robot_broadcaster.py
-# import math
-# import rclpy
-# from geometry_msgs.msg import TransformStamped
-# from rclpy.node import Node
-# from tf2_ros import TransformBroadcaster
-#
-#
-# class MovingRobotBroadcaster(Node):
-#     def __init__(self):
-#         super().__init__('moving_robot_broadcaster')
-#         self.broadcaster = TransformBroadcaster(self)
-#         self.theta = 0.0
-#         self.timer = self.create_timer(0.05, self.tick)
-#
-#     def tick(self):
-#         self.theta += 0.01
-#         transform = TransformStamped()
-#         transform.header.stamp = self.get_clock().now().to_msg()
-#         transform.header.frame_id = 'odom'
-#         transform.child_frame_id = 'base_link'
-#         transform.transform.translation.x = math.cos(self.theta)
-#         transform.transform.translation.y = math.sin(self.theta)
-#         transform.transform.translation.z = 0.0
-#         # 평면 Yaw를 Quaternion으로 변환
-#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
-#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
-#         self.broadcaster.sendTransform(transform)
-#
-#
-# def main(args=None):
-#     rclpy.init(args=args)
-#     node = MovingRobotBroadcaster()
-#     try:
-#         rclpy.spin(node)
-#     except KeyboardInterrupt:
-#         pass
-#     finally:
-#         node.destroy_node()
-#         rclpy.shutdown()
-#
-#
-# if __name__ == '__main__':
-#     main()
-# ```
-#
-# </details>
-#
-# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
-#
-# <details><summary>더 깊이: 공식 튜토리얼의 거북이 두 마리</summary>
-#
-# tf2 공식 튜토리얼은 turtlesim의 거북이를 씁니다. `turtle2`가 `turtle1`의 변환을 조회하면서 따라갑니다. 튜토리얼 패키지 `turtle_tf2_py`는 고치지 않고 여기서 그대로 실행할 수 있습니다(github.com/ros/geometry_tutorials의 `ros2` 브랜치). 패키지 폴더를 이 노트북 옆에 두고 셀 세 개를 실행해 보세요.
-#
-# ```
-# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
-# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
-# %turtlesim
-# ```
-#
-# 첫째 셀은 turtlesim과 발행 노드 두 개, 조회하는 노드 하나를 시작합니다. 둘째 셀은 `turtle1`이 10초 동안 원을 그리며 움직이게 합니다. 셋째 셀은 두 거북이의 위치와 펜이 그린 선을 그림으로 보여 줍니다. 터미널에서는 `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py`가 첫째 셀과 같은 일을 합니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Now you write
-#
-# A robot has three cameras with fixed mounts, and a pan head that rotates. Fill in the two blanks.
-#
-# ```python
-# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
-# ____________(node).sendTransform(______)
-# self.create_timer(0.05, self.tell_the_pan_head)
-# ```
-#
-# <details><summary>Compare</summary>
-#
-# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is published by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸을 채워 보세요
-#
-# 로봇에 고정된 카메라 세 대와 좌우로 회전하는 팬 헤드가 있습니다. 빈칸 두 개를 채워 보세요.
-#
-# ```python
-# mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
-# ____________(node).sendTransform(______)
-# self.create_timer(0.05, self.tell_the_pan_head)
-# ```
-#
-# <details><summary>맞춰 보기</summary>
-#
-# `StaticTransformBroadcaster(node).sendTransform(mounts)`입니다. 리스트 전체를 한 번만 보냅니다. 팬 헤드는 `tell_the_pan_head` 안에서 `TransformBroadcaster`로 보내며, 멈춰 있는 동안에도 보냅니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1165,8 +827,6 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# Save the two nodes of the lecture and start them: `python3 static_sensor_broadcaster.py`, `python3 moving_robot_broadcaster.py`. Without ROS, in a terminal of this workbook, type `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`. Then look:
-#
 # ```
 # ros2 topic info /tf_static --verbose      # the publishers, and the durability of each
 # ros2 topic echo /tf_static                # every board; stop with Ctrl-C
@@ -1174,13 +834,12 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then raises an `RCLError`. Use `rclpy.try_shutdown()`.
-# The important lines of the first command, for a driver with a board and one without:
+# On your checklist this chapter is **C3** (a static transform from the command line and from Python) and **C4** (a dynamic transform from Python). Here it was simulated; do it once on the robot.
+#
+# The first command prints this for a driver without a board and a publisher with one. Compare their `Durability`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
-#
-# 강의의 두 노드를 저장하고 시작합니다. `python3 static_sensor_broadcaster.py`와 `python3 moving_robot_broadcaster.py`입니다. 이 워크북의 터미널에서는 `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`로 실행합니다. 그런 다음 살펴봅니다.
 #
 # ```
 # ros2 topic info /tf_static --verbose      # 게시판이 있는 발행자와 지속성
@@ -1189,9 +848,9 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 대신 `rclpy.try_shutdown()`을 씁니다.
+# 체크리스트에서 이 장은 **C3**(명령줄과 파이썬으로 발행한 정적 변환)과 **C4**(파이썬으로 발행한 동적 변환)입니다. 여기서는 시뮬레이션으로 했으니 로봇에서도 한 번 해 보세요.
 #
-# 첫 명령의 출력에서 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
+# 첫 명령의 출력입니다. 게시판이 없는 발행자와 있는 발행자가 하나씩 있습니다. 둘의 `Durability`를 비교해 보세요.
 
 # %% name="two-durabilities" slide="subslide"
 graph = lesson.new_graph()
@@ -1199,9 +858,267 @@ graph.start(driver, name='driver')
 # %ros2 run tf2_ros static_transform_publisher --x 0.1 --frame-id base_link --child-frame-id camera_link
 # %ros2 topic info /tf_static --verbose
 
-# %% name="stop" slide="skip"
-graph.stop()
-rclpy.try_shutdown()
+# %% [markdown] lang="en" name="static-node" slide="skip"
+# ### Two files to take home
+#
+# Save the first one as `static_sensor_broadcaster.py`. It creates a `TransformStamped`, fills in parent, child and numbers, and sends it once. `spin` keeps its board alive.
+#
+# ```python
+# # tf_lab_py/static_sensor_broadcaster.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+#
+#
+# class StaticSensorBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('static_sensor_broadcaster')
+#         self.broadcaster = StaticTransformBroadcaster(self)
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'base_link'
+#         transform.child_frame_id = 'laser_frame'
+#         transform.transform.translation.x = 0.20
+#         transform.transform.translation.y = 0.0
+#         transform.transform.translation.z = 0.15
+#         transform.transform.rotation.x = 0.0
+#         transform.transform.rotation.y = 0.0
+#         transform.transform.rotation.z = 0.0
+#         transform.transform.rotation.w = 1.0
+#         self.broadcaster.sendTransform(transform)
+#         self.get_logger().info('sent: base_link → laser_frame')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = StaticSensorBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
+
+# %% [markdown] lang="ko" name="static-node" slide="skip"
+# ### 저장해서 쓸 파일 두 개
+#
+# 첫 파일을 `static_sensor_broadcaster.py`로 저장해 보세요. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. `spin`이 실행되는 동안 게시판이 남아 있습니다.
+#
+# ```python
+# # tf_lab_py/static_sensor_broadcaster.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros.static_transform_broadcaster import StaticTransformBroadcaster
+#
+#
+# class StaticSensorBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('static_sensor_broadcaster')
+#         self.broadcaster = StaticTransformBroadcaster(self)
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'base_link'
+#         transform.child_frame_id = 'laser_frame'
+#         transform.transform.translation.x = 0.20
+#         transform.transform.translation.y = 0.0
+#         transform.transform.translation.z = 0.15
+#         transform.transform.rotation.x = 0.0
+#         transform.transform.rotation.y = 0.0
+#         transform.transform.rotation.z = 0.0
+#         transform.transform.rotation.w = 1.0
+#         self.broadcaster.sendTransform(transform)
+#         self.get_logger().info('sent: base_link → laser_frame')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = StaticSensorBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서의 장착 변환을 두 노드에서 발행하지는 마십시오.
+
+# %% [markdown] lang="en" name="dynamic-node" slide="skip"
+# Save the second one as `moving_robot_broadcaster.py`. It publishes the pose 20 times a second and drives forward.
+#
+# ```python
+# # tf_lab_py/moving_robot_broadcaster.py
+# import math
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class MovingRobotBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('moving_robot_broadcaster')
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.theta = 0.0
+#         self.timer = self.create_timer(0.05, self.tick)
+#
+#     def tick(self):
+#         self.theta += 0.01
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'odom'
+#         transform.child_frame_id = 'base_link'
+#         transform.transform.translation.x = math.cos(self.theta)
+#         transform.transform.translation.y = math.sin(self.theta)
+#         transform.transform.translation.z = 0.0
+#         # forward on the circle, as a quaternion
+#         transform.transform.rotation.z = math.sin((self.theta + math.pi / 2.0) / 2.0)
+#         transform.transform.rotation.w = math.cos((self.theta + math.pi / 2.0) / 2.0)
+#         self.broadcaster.sendTransform(transform)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = MovingRobotBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# With ROS 2, start each with `python3`. Without ROS, start both in a terminal of this workbook, and look up the laser in `odom`:
+#
+# ```
+# tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py --with "ros2 run tf2_ros tf2_echo odom laser_frame"
+# ```
+#
+# Ctrl-C stops them. Do not start the second one on a robot whose odometry is running: both would publish `odom → base_link`.
+#
+# Stamp a dynamic transform with the time of its *measurement*. If you stamp it with the time at which a callback ran, you hide every delay before the callback.
+
+# %% [markdown] lang="ko" name="dynamic-node" slide="skip"
+# 둘째 파일을 `moving_robot_broadcaster.py`로 저장해 보세요. 1초에 스무 번 포즈를 발행하며 앞으로 달립니다.
+#
+# ```python
+# # tf_lab_py/moving_robot_broadcaster.py
+# import math
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class MovingRobotBroadcaster(Node):
+#     def __init__(self):
+#         super().__init__('moving_robot_broadcaster')
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.theta = 0.0
+#         self.timer = self.create_timer(0.05, self.tick)
+#
+#     def tick(self):
+#         self.theta += 0.01
+#         transform = TransformStamped()
+#         transform.header.stamp = self.get_clock().now().to_msg()
+#         transform.header.frame_id = 'odom'
+#         transform.child_frame_id = 'base_link'
+#         transform.transform.translation.x = math.cos(self.theta)
+#         transform.transform.translation.y = math.sin(self.theta)
+#         transform.transform.translation.z = 0.0
+#         # forward on the circle, as a quaternion
+#         transform.transform.rotation.z = math.sin((self.theta + math.pi / 2.0) / 2.0)
+#         transform.transform.rotation.w = math.cos((self.theta + math.pi / 2.0) / 2.0)
+#         self.broadcaster.sendTransform(transform)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = MovingRobotBroadcaster()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# ROS 2가 있으면 `python3`로 하나씩 실행합니다. ROS가 없으면 이 워크북의 터미널에서 둘을 함께 실행하고 `odom` 기준의 레이저를 조회합니다.
+#
+# ```
+# tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py --with "ros2 run tf2_ros tf2_echo odom laser_frame"
+# ```
+#
+# Ctrl-C로 끝냅니다. 오도메트리 노드가 실행 중인 로봇에서는 둘째 파일을 실행하지 마십시오. 둘 다 `odom → base_link`를 발행하게 됩니다.
+#
+# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
+
+# %% [markdown] lang="en" name="lecture-form" slide="skip"
+# **The lecture's form.** Both files of the lecture end in this way:
+#
+# ```python
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+# ```
+#
+# Since Humble, Ctrl-C shuts ROS down by itself, so a second shutdown in the last line raises an `RCLError`; `try_shutdown` does nothing then.
+# The lecture's moving robot is the crab, because its heading is θ:
+#
+# ```python
+#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
+#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
+# ```
+
+# %% [markdown] lang="ko" name="lecture-form" slide="skip"
+# **강의의 형태.** 강의의 두 파일은 이렇게 끝납니다.
+#
+# ```python
+#     except KeyboardInterrupt:
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.shutdown()
+# ```
+#
+# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 마지막 줄에서 다시 종료하면 `RCLError`가 납니다. `try_shutdown`은 이때 아무것도 하지 않습니다.
+# 강의의 움직이는 로봇은 방향이 θ라서 게걸음을 합니다.
+#
+# ```python
+#         transform.transform.rotation.z = math.sin(self.theta / 2.0)
+#         transform.transform.rotation.w = math.cos(self.theta / 2.0)
+# ```
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -1220,66 +1137,6 @@ rclpy.try_shutdown()
 # - 발행자와 수신기 모두 게시판을 설정해야 합니다. `DURABILITY` 경고가 나오면 통신이 아예 성립하지 않은 것입니다.
 # - 메시지가 없다고 멈춰 있는 것은 아닙니다. 고정된 것을 `/tf`로 보내면 *최신* 조회의 값이 최대 한 주기만큼 오래된 것이 됩니다. 움직이는 것을 게시판에 붙이면 모든 시각의 포즈가 같아집니다.
 # - 메시지 하나하나가 맞아도 움직임은 틀릴 수 있습니다. 로봇이 자기 축으로 어디로 가는지 확인해 보세요.
-
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. `laser_frame` is 0.20 m in front of `base_link`. Which frame is the parent, and along whose axes are the 0.20 m measured?
-# 2. You look up target `odom`, source `laser_frame`. Which edges are on the path, and which of them is static?
-# 3. The crab was found with `then.inverse().apply(later.translation)`. In which frame are the coordinates that go in, and those that come out?
-#
-# <details><summary>Answers</summary>
-#
-# 1. Parent `base_link`, and along its axes.
-# 2. `odom → base_link`, dynamic, and `base_link → laser_frame`, static.
-# 3. `odom` goes in, `base_link` of 4 s comes out: `base_T_odom` applied to a point in `odom`.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. `laser_frame`은 `base_link`에서 0.20 m 앞에 있습니다. 부모는 어느 좌표계이고, 0.20 m는 어느 좌표계의 축으로 잰 값입니까?
-# 2. 목표 `odom`, 원본 `laser_frame`으로 조회합니다. 어느 연결을 지나며, 그 가운데 정적인 것은 무엇입니까?
-# 3. 게걸음은 `then.inverse().apply(later.translation)`으로 알아냈습니다. 어느 좌표계의 좌표가 들어가고, 어느 좌표계의 좌표가 나옵니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 부모는 `base_link`이고, `base_link`의 축으로 잽니다.
-# 2. 동적인 `odom → base_link`와 정적인 `base_link → laser_frame`입니다.
-# 3. `odom` 기준의 점이 들어가고 4초의 `base_link` 기준으로 나옵니다. `base_T_odom`을 `odom` 기준의 점에 적용한 것입니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q7
-#
-# **7.** What is the difference between a static and a dynamic transform, and what happens if each is published as the other? Write five sentences.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
-# - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
-# - [ ] A mount on `/tf` costs bandwidth and, worse, holds back the latest common time of its path.
-# - [ ] A moving frame on `/tf_static` has one value for all times: the last one sent, or the first if it was sent only once.
-# - [ ] A lookup for a time after the last message of a dynamic transform raises an exception; the frame is not assumed to stand still.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q7
-#
-# **7.** 정적 변환과 동적 변환의 차이는 무엇이며, 서로 바꾸어 발행하면 어떤 일이 일어납니까? 다섯 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] 정적: 변하지 않으며 `/tf_static`에 한 번 보냅니다. 지속성이 TRANSIENT_LOCAL이라, 발행자가 실행 중인 동안 나중에 참가한 수신기도 받습니다.
-# - [ ] 동적: 변하므로 `/tf`에 계속 보내며, 메시지마다 측정 시각이 있습니다.
-# - [ ] 고정된 것을 `/tf`로 보내면 통신량이 늘고, 더 큰 문제로 최신 공통 시각이 뒤처집니다.
-# - [ ] 움직이는 것을 `/tf_static`으로 보내면 값 하나가 모든 시각에 쓰이거나 처음 위치에 고정됩니다.
-# - [ ] 동적 변환의 발행이 멈추면 그 뒤의 시각은 거절됩니다. “멈춰 있는” 것으로 처리하지 않습니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -1312,10 +1169,221 @@ rclpy.try_shutdown()
 # ‘재시작’이라고 쓴 쪽지는 한마디를 적어 돌려줍니다.
 # 어느 프로세스를?
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts.
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now choose the topic for each edge, publish both kinds from Python and a static one from the command line, and say what a listener receives that joins late.
+#
+# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts. Task E6.2 has lines like those of "Two mistakes on the command line" below.
 # In the exercises, `solution("E6.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
+#
+# The sections below are optional. Open a heading to see what it holds.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다.
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 연결마다 알맞은 토픽을 고르고, 두 종류를 파이썬으로, 정적 변환을 명령줄로 발행하고, 나중에 참가한 수신기가 무엇을 받는지 설명할 수 있습니다.
+#
+# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다. E6.2에는 아래의 “명령줄에서 하는 실수 두 가지”와 비슷한 명령이 나옵니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
+#
+# 아래는 더 알고 싶을 때 보는 부분입니다. 제목을 펼치면 내용이 나옵니다.
+
+# %% [markdown] lang="en" name="in-a-loop-heading" slide="slide"
+# ## sendTransform in a loop, by release
+
+# %% [markdown] lang="ko" name="in-a-loop-heading" slide="slide"
+# ## 반복문에서 sendTransform을 호출하면
+
+# %% [markdown] lang="en" name="in-a-loop" slide="-"
+# The result depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
+#
+# | ROS 2, Python | a late listener receives | a child that is sent again |
+# |---|---|---|
+# | Humble | the last one | is the only one on the board |
+# | Jazzy | all | is **ignored**: the old value stays |
+# | Lyrical, and C++ everywhere | all | replaces the old value |
+#
+# One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)`, create a new broadcaster, and send all its mounts again.
+
+# %% [markdown] lang="ko" name="in-a-loop" slide="-"
+# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
+#
+# | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
+# |---|---|---|
+# | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
+# | Jazzy | 모두 | **무시됩니다**. 이전 값이 그대로 남습니다 |
+# | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
+#
+# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어 장착 변환을 모두 다시 보내야 합니다.
+
+# %% [markdown] lang="en" name="break-command" slide="slide"
+# ## Two mistakes on the command line
+#
+# Two attempts to publish a camera that is rotated by 30°, 0.2 m ahead. **Predict** for each: an error, or something else?
+
+# %% [markdown] lang="ko" name="break-command" slide="slide"
+# ## 명령줄에서 하는 실수 두 가지
+#
+# 0.2 m 앞에 30° 회전시켜 장착한 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
+
+# %% name="command-again" tags=["collapsed"] slide="skip"
+graph = lesson.new_graph()
+# %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --frame-id base_link --child-frame-id laser_frame
+
+# %% name="thirty" tags=["predicted"] slide="fragment"
+# %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
+# %ros2 --for 1.2 run tf2_ros tf2_echo base_link camera_link
+
+# %% name="equals-sign" tags=["predicted"] slide="subslide"
+# %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
+
+# %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
+# - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The command without an error is the harmful one.
+# - `--x=0.2` is right in many other programs. This tool rejects it: write the option and its value as two words, `--x 0.2`.
+# - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
+#
+# <details><summary>Deeper: the old order</summary>
+#
+# Old tutorials pass six numbers and two frames without option names: `x y z yaw pitch roll parent child`. Note that **yaw** comes first. It still works, with a warning, and one day it will not.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="break-command-seen" tags=["predicted"]
+# - `--yaw 30`은 오류 없이 받아들여집니다. 30 **라디안**, 곧 네 번 회전하고도 279°를 더 회전합니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
+# - `--x=0.2`는 다른 프로그램에서는 대개 맞는 표기입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
+# - 회전은 각도와 쿼터니언 가운데 하나로만 적습니다. `--yaw`와 `--qz`를 함께 쓰면 `Cannot specify both quaternion and Euler rotations`라고 나옵니다.
+#
+# <details><summary>더 깊이: 예전의 순서</summary>
+#
+# 오래된 자료에는 옵션 없이 `x y z yaw pitch roll parent child`로 적혀 있습니다. **yaw**가 먼저임을 주의하십시오. 아직은 경고와 함께 동작하지만 언젠가는 사라집니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="break-command-notes" slide="notes"
+# Hands before each: error or not?
+# The one without an error rotated the camera by more than four full rotations.
+# Degrees are a strong habit; say radians aloud with every yaw today.
+
+# %% [markdown] lang="ko" name="break-command-notes" slide="notes"
+# 하나씩 손을 들게 합니다.
+# 오류가 날까요?
+# 오류 없이 지나간 쪽이 카메라를 네 번 넘게 회전시켰습니다.
+# 라디안 자리에 도를 쓰는 것은 잘 고쳐지지 않는 버릇입니다.
+# 이 시간에는 yaw를 말할 때마다 라디안을 붙입니다.
+
+# %% [markdown] lang="en" name="echo-once" slide="subslide"
+# ## All boards, and `topic echo --once`
+#
+# The laser and the camera of the last section have one publisher each, and you want to see both. The first command that everybody types is the lecture's `topic echo --once`. Try it, and then let it run for a second.
+
+# %% [markdown] lang="ko" name="echo-once" slide="subslide"
+# ## 게시판 전부와 `topic echo --once`
+#
+# 앞 절의 레이저와 카메라는 발행자가 하나씩이고, 둘 다 보고 싶습니다. 흔히 강의의 `topic echo --once`부터 입력합니다. 먼저 해 보고, 그다음에는 1초 동안 받아 보세요.
+
+# %% name="echo-one-board" tags=["predicted"] slide="-"
+# %ros2 topic echo /tf_static --once --flow-style
+# %ros2 --for 1 topic echo /tf_static --flow-style
+
+# %% [markdown] lang="en" name="echo-one-board-seen" tags=["predicted"]
+# `--once` means one *message*, and there are two boards, one for each publisher. So the first command prints only one of the two mounts.
+
+# %% [markdown] lang="ko" name="echo-one-board-seen" tags=["predicted"]
+# `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째 명령으로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
+
+# %% name="stop" slide="skip"
+graph.stop()
+rclpy.try_shutdown()
+
+# %% [markdown] lang="en" name="turtles-heading" slide="skip"
+# ## The two turtles of the official tutorials
+
+# %% [markdown] lang="ko" name="turtles-heading" slide="skip"
+# ## 공식 튜토리얼의 거북이 두 마리
+
+# %% [markdown] lang="en" name="turtles" slide="skip"
+# The official tf2 tutorials drive turtles in turtlesim. `turtle2` looks up the transform to `turtle1`, and follows it. Their package `turtle_tf2_py` runs here unchanged (github.com/ros/geometry_tutorials, branch `ros2`). Put its folder beside this notebook, and run three cells:
+#
+# ```
+# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
+# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
+# %turtlesim
+# ```
+#
+# The first cell starts turtlesim, two broadcasters and the listener. The second drives `turtle1` in a circle for ten seconds. The third draws the field and the lines of both pens. In a terminal, `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py` does the same as the first cell.
+
+# %% [markdown] lang="ko" name="turtles" slide="skip"
+# tf2 공식 튜토리얼은 turtlesim의 거북이를 씁니다. `turtle2`가 `turtle1`의 변환을 조회하면서 따라갑니다. 튜토리얼 패키지 `turtle_tf2_py`는 고치지 않고 여기서 그대로 실행할 수 있습니다(github.com/ros/geometry_tutorials의 `ros2` 브랜치). 패키지 폴더를 이 노트북 옆에 두고 셀 세 개를 실행해 보세요.
+#
+# ```
+# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
+# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
+# %turtlesim
+# ```
+#
+# 첫째 셀은 turtlesim과 발행 노드 두 개, 조회하는 노드 하나를 시작합니다. 둘째 셀은 `turtle1`이 10초 동안 원을 그리며 움직이게 합니다. 셋째 셀은 두 거북이의 위치와 펜이 그린 선을 그림으로 보여 줍니다. 터미널에서는 `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py`가 첫째 셀과 같은 일을 합니다.
+
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
+# ## Three questions from earlier chapters
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
+# 1. `laser_frame` is 0.20 m in front of `base_link`. Which frame is the parent, and along whose axes are the 0.20 m measured?
+# 2. You look up target `odom`, source `laser_frame`. Which edges are on the path, and which of them is static?
+# 3. The crab was found with `then.inverse().apply(later.translation)`. In which frame are the coordinates that go in, and those that come out?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Parent `base_link`, and along its axes.
+# 2. `odom → base_link`, dynamic, and `base_link → laser_frame`, static.
+# 3. `odom` goes in, `base_link` of 4 s comes out: `base_T_odom` applied to a point in `odom`.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="-"
+# 1. `laser_frame`은 `base_link`에서 0.20 m 앞에 있습니다. 부모는 어느 좌표계이고, 0.20 m는 어느 좌표계의 축으로 잰 값입니까?
+# 2. 목표 `odom`, 원본 `laser_frame`으로 조회합니다. 어느 연결을 지나며, 그 가운데 정적인 것은 무엇입니까?
+# 3. 게걸음은 `then.inverse().apply(later.translation)`으로 알아냈습니다. 어느 좌표계의 좌표가 들어가고, 어느 좌표계의 좌표가 나옵니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 부모는 `base_link`이고, `base_link`의 축으로 잽니다.
+# 2. 동적인 `odom → base_link`와 정적인 `base_link → laser_frame`입니다.
+# 3. `odom` 기준의 점이 들어가고 4초의 `base_link` 기준으로 나옵니다. `base_T_odom`을 `odom` 기준의 점에 적용한 것입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
+# ## Practice question · Q7
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q7
+
+# %% [markdown] lang="en" name="practice" slide="-"
+# **7.** How do `/tf` and `/tf_static` differ, in what they carry and in their QoS, and what happens to a transform on the wrong one? Write five sentences.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
+# - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
+# - [ ] A mount on `/tf` costs bandwidth and, worse, holds back the latest common time of its path.
+# - [ ] A moving frame on `/tf_static` has one value for all times: the last one sent, or the first if it was sent only once.
+# - [ ] A lookup for a time after the last message of a dynamic transform raises an exception; the frame is not assumed to stand still.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="-"
+# **7.** `/tf`와 `/tf_static`은 데이터와 QoS 동작에서 어떻게 다르며, 변환을 다른 쪽 토픽으로 발행하면 어떤 일이 일어납니까? 다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 정적: 변하지 않으며 `/tf_static`에 한 번 보냅니다. 지속성이 TRANSIENT_LOCAL이라, 발행자가 실행 중인 동안 나중에 참가한 수신기도 받습니다.
+# - [ ] 동적: 변하므로 `/tf`에 계속 보내며, 메시지마다 측정 시각이 있습니다.
+# - [ ] 고정된 것을 `/tf`로 보내면 통신량이 늘고, 더 큰 문제로 최신 공통 시각이 뒤처집니다.
+# - [ ] 움직이는 것을 `/tf_static`으로 보내면 값 하나가 모든 시각에 쓰이거나 처음 위치에 고정됩니다.
+# - [ ] 동적 변환의 발행이 멈추면 그 뒤의 시각은 거절됩니다. “멈춰 있는” 것으로 처리하지 않습니다.
+#
+# </details>

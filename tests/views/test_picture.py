@@ -20,6 +20,7 @@ from tflab.views import (
     tree_path,
 )
 from tflab.views.late_joiner import Sender, SentMessage, draw_joins
+from tflab.views.moved_frames import draw_moves
 from tflab.views.number_table import NumberTable
 from tflab.views.picture import Picture
 from tflab.views.transform_chain import Step, draw_joints
@@ -78,6 +79,7 @@ DRAWINGS = {
     "rulers": lambda: coordinates.draw_rulers(POSES, (3.0, 1.0, 0.0)),
     "two times": lambda: coordinates.draw_moments(POSES, (3.0, 1.0, 0.0)),
     "tracks": lambda: map_error.draw_tracks({"odom": LINE}, LINE + 0.1, range(5)),
+    "moves": lambda: draw_moves({"base_link": (POSES["base_link"], Transform())}, "odom", ["base_link"], LINE),
     "many points": lambda: map_error.draw_placed(
         {"here": np.random.default_rng(1).normal(size=(5000, 3))}, walls=[((0.0, 0.0), (4.0, 0.0))]
     ),

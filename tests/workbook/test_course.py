@@ -55,7 +55,7 @@ def test_the_chapters_have_their_names_and_build_only_on_earlier_ones() -> None:
         page = (workbook_data() / "notebooks" / "src" / f"{chapter.stem}.py").read_text(encoding="utf-8")
         named = page.partition("builds on ")[2].partition("\n")[0]
         assert tuple(int(number) for number in re.findall(r"\d\d", named)) == chapter.builds_on
-        assert 25 <= chapter.minutes <= 90
+        assert 15 <= chapter.minutes <= 45
 
 
 def test_every_section_and_every_question_of_the_lecture_has_its_chapter() -> None:

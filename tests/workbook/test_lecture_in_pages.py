@@ -20,8 +20,6 @@ FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
 @pytest.mark.parametrize(
     ("stem", "node"),
     [
-        ("06_static_and_dynamic", "static_sensor_broadcaster.py"),
-        ("06_static_and_dynamic", "moving_robot_broadcaster.py"),
         ("08_buffer_and_measurement_time", "point_to_map.py"),
     ],
 )
@@ -34,6 +32,20 @@ def test_a_node_of_the_lecture_is_shown_and_speaks_the_language_of_the_page(stem
         program = program.replace(korean, english)
     assert lines(program) in shown
     assert language == "ko" or not re.search("[가-힣]", "".join(prose))
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+@pytest.mark.parametrize("node", ["static_sensor_broadcaster.py", "moving_robot_broadcaster.py"])
+def test_a_file_to_take_home_is_the_lectures_but_for_lines_that_stand_beside_it(node, language):
+    texts = "\n".join(page_of(6, language).values())
+    program = (LECTURE / node).read_text(encoding="utf-8")
+    for korean, english in CASES["in_english"].items():
+        program = program.replace(korean, english)
+    for old, new in CASES["today"].items():
+        assert old in texts, f"the lecture's form: {old}"
+        program = program.replace(old, new)
+    assert lines(program) in [lines(block) for block in FENCE.findall(texts)]
+    assert "RCLError" in texts
 
 
 def page_of(chapter, language):

@@ -7,7 +7,7 @@
     axes, rotations  conventions of axes, and rotations
     sentence         a lookup, its target and its source
     wrong_frames, transform_chain, coordinates    wrong frames, products, one point in many frames
-    motion_error, map_error    what latency and a wrong pose cost
+    motion_error, map_error, moved_frames    what latency, a wrong pose and a jump cost
     timeline, clocks, ages, busy_chart, late_joiner    time: the buffer, clocks, delays, executors, durability
     fault_tables, diagnosis_log    diagnosis
     sheet, tree, tree_path, view_frames_tree    the frame tree as SVG, PDF and text

@@ -167,6 +167,7 @@ def _seen(points: np.ndarray) -> np.ndarray:
 LINES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)))
 COLOURS = (style.ACCENT, style.INK, style.AXIS_COLOURS["z"])
 TRUTH_WIDTH, TRACK_WIDTH = 5.0, 1.6
+TRACKS_INCH = (5.4, 6.2)  # narrow, so that its letters can be read on a phone
 
 
 class Smoothness(NamedTuple):
@@ -202,14 +203,17 @@ def describe_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> str:
     )
 
 
-def draw_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Sequence[float]) -> Picture:
-    """Draw tracks from above beside their steps and their errors through time.
+def draw_tracks(
+    tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Sequence[float], fixed_frame: str = "map"
+) -> Picture:
+    """Draw tracks from above, and below them the distance between samples and the error through time.
 
     Args:
         tracks: by the name of the frame that tells them, at most three; each of shape (n, 2) or (n, 3) [m], all laid
             onto the same ground.
         truth: where the robot really was, of the same shape [m].
         times_s: when [s], shape (n,).
+        fixed_frame: the frame of all coordinates.
 
     Raises:
         ValueError: no track, more than three, or one of another length.
@@ -221,11 +225,13 @@ def draw_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Se
     for name, track in {**tracks, "truth": truth}.items():
         if len(track) != len(times):
             raise ValueError(f"{name} has {len(track)} samples, and there are {len(times)} times")
-    picture = Picture(style.WIDE)
+    picture = Picture(TRACKS_INCH)
     with style.our_settings():
-        _draw_ground(picture.figure.add_axes((0.03, 0.05, 0.46, 0.86)), tracks, truth)
-        steps = _curves(picture.figure.add_axes((0.575, 0.60, 0.39, 0.29)), "step [m]")
-        error = _curves(picture.figure.add_axes((0.575, 0.14, 0.39, 0.29)), "error [m]")
+        ground = picture.figure.add_axes((0.11, 0.46, 0.86, 0.47))
+        style.name_plane(ground, fixed_frame)
+        _draw_ground(ground, tracks, truth)
+        steps = _curves(picture.figure.add_axes((0.11, 0.262, 0.86, 0.09)), "distance between two samples [m]")
+        error = _curves(picture.figure.add_axes((0.11, 0.075, 0.86, 0.1)), "error: distance from the truth [m]")
         error.set_xlabel("time [s]", loc="right")
         for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
             how = {"color": colour, "linestyle": line, "linewidth": TRACK_WIDTH, "label": name}
@@ -239,15 +245,14 @@ def draw_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Se
 
 
 def _draw_ground(ax, tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> None:
-    """Draw the paths from above, the truth as a broad grey way below them."""
-    ax.set_axis_off()
+    """Draw the paths from above, the truth as a broad grey line below them."""
     ax.set_aspect("equal", adjustable="datalim")
     ax.plot(*truth.T, color=style.HAIR, linewidth=TRUTH_WIDTH, label="truth", zorder=1, solid_capstyle="round")
     for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
         ax.plot(*track.T, color=colour, linestyle=line, linewidth=TRACK_WIDTH, label=name, zorder=2)
         ax.plot(*track[-1], "o", color=colour, markersize=6.0, zorder=3)
     ax.margins(0.06)
-    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, frameon=False, fontsize=style.SMALL_PT,
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.01), ncols=4, frameon=False, fontsize=style.SMALL_PT,
               borderaxespad=0.0, handlelength=2.4)  # fmt: skip
 
 

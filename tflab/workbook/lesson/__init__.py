@@ -53,6 +53,7 @@ from tflab.views.late_joiner import Sender, draw_joins
 from tflab.views.late_joiner import SentMessage as Letter
 from tflab.views.map_error import draw_placed, draw_tracks
 from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, latency_error
+from tflab.views.moved_frames import draw_moves
 from tflab.views.panels import (
     cameras_panel,
     clocks_panel,
@@ -72,7 +73,7 @@ from tflab.views.scene.drawing import ACCENT
 from tflab.views.sentence import draw_readings, draw_sentence
 from tflab.views.style import fmt, fmt_all
 from tflab.views.timeline import lane_from_history
-from tflab.views.transform_chain import draw_dominoes
+from tflab.views.transform_chain import FROM_THE_SIDE, draw_dominoes
 from tflab.views.wrong_frames import describe_extent, draw_misread, draw_mount, seen_from
 
 from ..copy.environment import check_environment
@@ -120,14 +121,15 @@ from .scenes import (
 from .toolbox import draw_toolbox, tools_panel
 
 __all__ = [
-    "ACCENT", "BALL", "BODY_T_OPTICAL", "FROM_ABOVE", "LATEST", "ROOM", "BaseLocalizer", "Bend", "Curve", "Drive",
+    "ACCENT", "BALL", "BODY_T_OPTICAL", "FROM_ABOVE", "FROM_THE_SIDE", "LATEST", "ROOM", "BaseLocalizer", "Bend",
+    "Curve", "Drive",
     "GapWatcher", "Journey", "Leg", "Letter", "PlanarPose", "Play", "Scene", "Sender", "Sight", "Source",
     "TeachingRobot", "WaitingNode", "admit", "ages_of_decisions", "angle", "answer_of", "ask_first", "cameras_panel",
     "check_environment", "clinic_panel", "clocks_panel", "current_graph", "describe_extent", "doctor", "draw_ages",
     "draw_arrow", "draw_ball", "draw_bend", "draw_body", "draw_body_axes", "draw_both_ways", "draw_buffer",
     "draw_camera", "draw_cameras", "draw_card", "draw_clocks", "draw_columns", "draw_course", "draw_dominoes",
     "draw_drives", "draw_frame", "draw_heard", "draw_history", "draw_joins", "draw_joints", "draw_journeys",
-    "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_mug", "draw_orders",
+    "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_moves", "draw_mug", "draw_orders",
     "draw_owners", "draw_path", "draw_placed", "draw_question", "draw_questions", "draw_readings", "draw_right_hand",
     "draw_room", "draw_rotation", "draw_rulers", "draw_rviz", "draw_scan", "draw_scene", "draw_sentence",
     "draw_toolbox", "draw_tracks", "draw_turns", "draw_visit", "draw_walk", "draw_walls", "example_bag", "floor_cloud",
