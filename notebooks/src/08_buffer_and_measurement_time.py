@@ -303,7 +303,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # %% name="scene-of-the-delay" tags=["interactive", "collapsed"] slide="subslide"
 lesson.show_latency()
 
-# %% name="picture-of-the-delay" tags=["static", "collapsed"] slide="skip"
+# %% name="picture-of-the-delay" tags=["static"]
 lesson.draw_latency(turning)
 
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
@@ -325,7 +325,7 @@ lesson.draw_latency(turning)
 # %% name="slider" tags=["interactive", "collapsed"] slide="subslide"
 lesson.latency_panel(turning)
 
-# %% name="slider-still" tags=["static", "collapsed"] slide="skip"
+# %% name="slider-still" tags=["static"]
 lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
 
 # %% [markdown] lang="en" name="slider-answer" slide="fragment"
@@ -485,7 +485,7 @@ frames = ("odom", "base_link", "laser_frame")
 timelines = [lesson.lane_from_history(small.core.history(child)) for child in frames]
 lesson.timeline_panel("map", "laser_frame", timelines, small.core.lookup_transform, seconds(3.4))
 
-# %% name="past-the-end" tags=["static", "collapsed"] slide="subslide"
+# %% name="past-the-end" tags=["static"]
 lesson.draw_history(small.core, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="en" name="past-the-end-read"
