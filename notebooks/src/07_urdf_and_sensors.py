@@ -475,6 +475,9 @@ def at_tilt(degrees):
 scene.sweep('tilt', [0.5 * i for i in range(11)], at_tilt, unit='deg', start=6)
 scene
 
+# %% name="tilt-still" tags=["static"]
+lesson.draw_placed({f'tilt {d}°': lesson.scan_on_map(tilted(d), at_s=1.0) for d in (1, 3, 5)}, walls=lesson.ROOM.walls)
+
 # %% [markdown] lang="en" name="tilt-map" slide="subslide"
 # And the map, seen from above? First with a URDF that describes the laser as level, then with a correct one. **Predict:** does the correct URDF put the dots back on the walls?
 
