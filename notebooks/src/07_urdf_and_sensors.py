@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 07 · URDF and sensors
 #
-# **The description and the real mount** · about 60 minutes · builds on 02 and 06
+# **The description and the real mount** · about 45 minutes · builds on 02 and 06
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 07 · URDF와 센서
 #
-# **도면과 실제 장착** · 약 60분 · 02, 06장을 바탕으로 합니다
+# **도면과 실제 장착** · 약 45분 · 02, 06장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -113,16 +113,28 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # Our own robot's URDF has these lines among others.
 #
 # A link can have a `<visual>` with an `<origin>` of its own. It describes the position of the *shape* on the link. TF never reads it.
-# In the next cell the real laser is rotated. The argument `screws` contains its true mount, which TF never receives.
+#
+# In the next cells the real laser is rotated to the left by 90°. The line is written in one of two places:
+#
+# ```xml
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# ```
 
 # %% [markdown] lang="ko" name="two-origins-why"
 # 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 회전은 없다.* 이것이 `base_T_laser`입니다. `xyz`는 이동[m], `rpy`는 회전[rad]입니다.
 # 우리 로봇의 URDF에도 이 줄들이 있습니다.
 #
 # 링크에는 `<visual>`이 있을 수 있고, 그 안에도 `<origin>`이 있습니다. 이것은 *겉모습*이 링크의 어디에 그려지는지를 적은 것입니다. TF는 읽지 않습니다.
-# 이제 나사를 풀고 레이저를 실제로 회전시켜 답니다. `screws`는 실제로 달린 상태입니다. TF에는 반영되지 않습니다.
+#
+# 다음 셀들에서는 레이저를 실제로 왼쪽으로 90° 회전시켜 답니다. 그 줄을 두 곳 가운데 한 곳에 적습니다.
+#
+# ```xml
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# ```
 
-# %% name="write-the-line" slide="fragment"
+# %% name="write-the-line" tags=["collapsed"] slide="fragment"
 URDF = lesson.teaching_urdf()
 QUARTER = 'rpy="0 0 1.5707963267948966"'
 paint = '<geometry><cylinder radius="0.04"'
@@ -130,7 +142,7 @@ in_visual = URDF.replace(paint, f'<origin {QUARTER}/> {paint}')
 in_joint = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" {QUARTER}')
 truly = {'laser_frame': Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))}
 
-# %% name="where-the-walls-are" tags=["predicted"] slide="subslide"
+# %% name="where-the-walls-are" tags=["predicted", "collapsed"] slide="subslide"
 placed = {}
 for name, urdf in {'nothing written': URDF, 'in <visual>': in_visual, 'in <joint>': in_joint}.items():
     robot = lesson.TeachingRobot(urdf=urdf, screws=truly)
@@ -155,17 +167,20 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # %% [markdown] lang="ko" name="walls-notes" slide="notes"
 # 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까?
 
-# %% name="laser-and-ghost" slide="subslide"
+# %% name="laser-and-ghost" tags=["collapsed"] slide="subslide"
 poses = lesson.link_poses(lesson.parse_urdf(in_visual))
 axes = {name: poses[name] for name in ('base_link', 'laser_frame')}
-truth = {'laser, truly': poses['base_link'] @ truly['laser_frame']}
-lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.08)
+real = Transform((0.0, 0.0, 0.2)) @ poses['base_link'] @ truly['laser_frame']  # higher, so that both can be seen
+ghosts = {'the real laser (drawn 0.2 m higher)': real}
+lesson.draw_scene(axes, ghosts=ghosts, fixed_frame='base_footprint', length_m=0.1)
 
 # %% [markdown] lang="en" name="small-mistakes"
+# In colour, the frames that TF has. In grey, the laser as it is really mounted: its x axis points to the left.
+#
 # Smaller errors are harder to see. A laser that is described 0.20 m behind its true position puts the walls 0.08 m off on average. `1.57` for 90° is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
 
 # %% [markdown] lang="ko" name="small-mistakes"
-# *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF에 있는 좌표계입니다.
+# *그림 읽기:* 색이 있는 축은 TF에 있는 좌표계이고, 기울임꼴 회색(the real laser)은 실제로 달린 레이저입니다(drawn 0.2 m higher = 둘 다 보이도록 0.2 m 위에 그렸습니다). 실제 레이저의 x축은 왼쪽을 향합니다.
 #
 # 작은 오차는 더 알아채기 어렵습니다. URDF에 레이저를 실제보다 0.20 m 뒤에 적으면 벽이 평균 0.08 m 어긋납니다. 90°를 `1.57`로 적으면 0.0456° 모자라고, 10 m 앞에서 8 mm 어긋납니다. `1.5708`이나 더 긴 숫자를 쓰십시오.
 
@@ -198,18 +213,21 @@ misread = movement @ origin
 nose = (1.0, 0.0, 0.0)  # a metre ahead of the head
 print('origin @ movement: the nose is at', lesson.fmt_all(head.apply(nose)))
 print('movement @ origin: the nose is at', lesson.fmt_all(misread.apply(nose)))
-lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread': misread},
-                  ghost_points={'nose, misread': misread.apply(nose)}, fixed_frame='body', length_m=0.4)
+
+# %% name="nod-or-roll-drawn" tags=["predicted", "collapsed"] slide="fragment"
+aside = Transform((1.9, -0.3, 0.0)) @ misread  # beside the other one, so that both can be seen
+noses = {'nose, 0.48 m lower': head.apply(nose), 'nose, not lower': aside.apply(nose)}
+lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='body', length_m=0.6)
 
 # %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
-# It nods. The head faces the left of the body, and its nose goes down there to z = −0.479. If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
+# It nods. The head faces the left of the body, and its nose goes down there to z = −0.479. (The misread head is drawn beside it.) If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
 #
 # A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` rotates the axes, and then `axis="0 0 1"` points sideways.
 #
 # Two more facts about the same lines. A URDF has no degrees: `rpy="0 0 90"` is 90 rad, fourteen full rotations and 116.62°. And rpy rotates about the fixed axes of the parent, roll first, as in chapter 02.
 
 # %% [markdown] lang="ko" name="axis-seen" tags=["predicted"]
-# *그림 읽기:* head = 머리, nose = 코, misread = 잘못 읽은 경우(회색 기울임꼴).
+# *그림 읽기:* head = 머리, nose, 0.48 m lower = 0.48 m 내려간 코, misread = 축을 잘못 읽은 경우(둘 다 보이도록 옆에 그렸습니다), not lower = 내려가지 않음.
 #
 # 끄덕입니다. 머리가 보는 방향인 왼쪽에서 코가 z = −0.479까지 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
 # TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 좌표계를 눕히면 `axis="0 0 1"`이 옆을 향합니다.
@@ -226,14 +244,13 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 #
 # `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 그림에서는 관절 하나의 변환을 도미노 하나로 그립니다. 이 변환을 모두 합성하면 팔 끝의 포즈가 나옵니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
 
-# %% name="arm-panel" tags=["interactive"]
-at = {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4}
-poses = lesson.link_poses(lesson.parse_urdf(URDF), at)
-base_T_tool0 = poses['base_link'].inverse() @ poses['tool0']
+# %% name="arm-panel" tags=["interactive", "collapsed"]
 lesson.joints_panel()
 
 # %% name="arm-still" tags=["static"]
-x, y, z = base_T_tool0.translation
+at = {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4}
+poses = lesson.link_poses(lesson.parse_urdf(URDF), at)
+x, y, z = (poses['base_link'].inverse() @ poses['tool0']).translation
 lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, z + 0.12)})
 
 # %% [markdown] lang="en" name="chain-seen" slide="subslide"
@@ -257,17 +274,6 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 
 # %% [markdown] lang="ko" name="chain-notes" slide="notes"
 # 누군가 관절 이름을 부르게 하고, 슬라이더를 움직이기 전에 어느 도미노가 바뀔지 모두 말하게 합니다. 언제나 하나입니다.
-
-# %% [markdown] lang="en" name="touch" slide="subslide"
-# How do you find a tcp? Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`.
-
-# %% [markdown] lang="ko" name="touch" slide="subslide"
-# tcp의 위치는 어떻게 구할까요? 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다.
-
-# %% name="touch-it" slide="-"
-base_p_tip = (0.3563, 0.2491, 0.3546)  # where the mark is, measured with a ruler
-tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
-print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -331,7 +337,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 #
 # 이번에는 이 노드만 켭니다. 관절 값을 발행하는 노드는 없습니다. 팔은 어떻게 될까요?
 
-# %% name="alone" slide="skip"
+# %% name="ros-imports" slide="skip"
 import rclpy
 from builtin_interfaces.msg import Time as Stamp
 from rclpy.node import Node
@@ -339,11 +345,12 @@ from rclpy.time import Time
 from sensor_msgs.msg import JointState
 from tf2_ros import Buffer, TransformException, TransformListener
 
-graph = lesson.new_graph()
+# %% name="alone" tags=["collapsed"] slide="skip"
+graph = lesson.new_graph()  # the simulation; a new one whenever this cell runs
 robot = lesson.TeachingRobot()
 nodes = lesson.launch(graph, robot, only=['robot_state_publisher'])
 
-# %% name="the-tree-alone" tags=["predicted"] slide="fragment"
+# %% name="the-tree-alone" tags=["predicted", "collapsed"] slide="fragment"
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="the-tree-alone-seen" tags=["predicted"]
@@ -403,6 +410,8 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 # - **Velocity only:** only this one causes a WARN. It names the first joint, and its text is that of the real node.
 #
 # If an arm is missing, run `ros2 topic echo /joint_states`. Compare the names with the URDF, and check stamp and position.
+#
+# The URDF itself is on a topic, too:
 
 # %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
 # - **이름이 다를 때**(other names): 아무 메시지도 없습니다. URDF의 이름과 같은지 확인하지 않습니다.
@@ -410,11 +419,13 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 # - **속도만 있을 때**(velocity only): 유일하게 WARN이 나옵니다. 첫 관절의 이름이 적혀 있고, 문구는 실제 노드의 것입니다.
 #
 # 팔이 보이지 않으면 `ros2 topic echo /joint_states`를 실행해 이름을 URDF와 비교하고, 시각과 위치가 있는지 확인하십시오.
+#
+# URDF도 토픽으로 나옵니다.
 
 # %% name="the-drawing-itself" slide="skip"
 # %ros2 topic echo /robot_description --once
 
-# %% name="stop" slide="skip"
+# %% name="stop" tags=["collapsed"] slide="skip"
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -429,7 +440,7 @@ rclpy.shutdown()
 #
 # 레이저는 `base_link`에서 0.15 m 위에 있고, `base_link`는 바닥에서 0.10 m 위에 있습니다. 합하면 **0.25 m**입니다. 조금 기울면 앞을 보는 빛은 0.25 / tan(각도)에서 바닥에 닿습니다.
 
-# %% name="how-far" slide="-"
+# %% name="how-far" tags=["collapsed"] slide="-"
 def tilted(degrees):
     mount = Transform.from_rpy(pitch=math.radians(degrees), translation=(0.20, 0.0, 0.15))
     return lesson.TeachingRobot(screws={'laser_frame': mount})
@@ -448,7 +459,7 @@ for degrees in (1, 2, 3, 5):
 # %% [markdown] lang="ko" name="tilt-3d" slide="subslide"
 # 3D로 봅시다. 슬라이더(tilt = 기울기)를 움직이며 먼 벽을 보세요.
 
-# %% name="tilt-scene" slide="skip"
+# %% name="tilt-scene" tags=["collapsed"] slide="skip"
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(-2.5, -6.5, 4.5), target=(3.0, 0.0, 0.0))
 lesson.draw_walls(scene)
@@ -460,9 +471,12 @@ def at_tilt(degrees):
     lesson.draw_frame(scene, 'laser_frame', pose, length_m=0.5)
     lesson.draw_scan(scene, 'scan', pose, scan.ranges[::4], scan.angle_min, 4 * scan.angle_increment)
 
-# %% name="tilt-sweep" tags=["interactive"]
+# %% name="tilt-sweep" tags=["interactive", "collapsed"]
 scene.sweep('tilt', [0.5 * i for i in range(11)], at_tilt, unit='deg', start=6)
 scene
+
+# %% name="tilt-still" tags=["static"]
+lesson.draw_placed({f'tilt {d}°': lesson.scan_on_map(tilted(d), at_s=1.0) for d in (1, 3, 5)}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="tilt-map" slide="subslide"
 # And the map, seen from above? First with a URDF that describes the laser as level, then with a correct one. **Predict:** does the correct URDF put the dots back on the walls?
@@ -470,7 +484,7 @@ scene
 # %% [markdown] lang="ko" name="tilt-map" slide="subslide"
 # 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 다시 벽 위에 놓일까요?
 
-# %% name="tilt-placed" tags=["predicted"]
+# %% name="tilt-placed" tags=["predicted", "collapsed"]
 drawn = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" rpy="0 {math.radians(3)} 0"')
 level = lesson.scan_on_map(tilted(3), at_s=1.0)
 true = lesson.scan_on_map(lesson.TeachingRobot(urdf=drawn), at_s=1.0)
@@ -503,17 +517,13 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # ## An IMU upside down
 #
 # The gyro of an IMU measures angular velocity. The accelerometer measures the acceleration of the robot together with the force that holds the IMU up against gravity. Both measure along the IMU's own axes. Ours is mounted upside down. The robot stands still, and then drives a curve to the left, 0.5 m/s and 0.5 rad/s.
-#
-# Two rules for an `Imu` message are easy to miss. The driver must not remove gravity: at rest a correct IMU reads +9.81 on the axis that points up. And each of its three measurements has a covariance matrix. If its first entry is −1, the IMU does not provide that measurement. A gyro without a compass, for example, has no `orientation`.
 
 # %% [markdown] lang="ko" name="imu" slide="slide"
 # ## 뒤집힌 IMU
 #
 # IMU의 자이로는 각속도를 잽니다. 가속도계는 로봇의 가속도와, 중력에 맞서 IMU를 떠받치는 힘을 함께 잽니다. 둘 다 IMU 자신의 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
-#
-# `Imu` 메시지에는 놓치기 쉬운 것이 두 가지 있습니다. 드라이버는 중력을 빼면 안 됩니다. 정지 상태에서 올바른 IMU는 위를 향한 축에 +9.81을 보입니다. 그리고 세 측정값마다 공분산이 있습니다. 첫 원소가 −1이면 그 값을 측정하지 않는다는 뜻입니다. 나침반이 없는 자이로의 `orientation`이 그렇습니다.
 
-# %% name="imu-reads" tags=["predicted"] slide="fragment"
+# %% name="imu-reads" tags=["predicted", "collapsed"] slide="fragment"
 bend = lesson.Drive(legs=[lesson.Leg(2.0), lesson.Leg(6.0, 0.5, 0.5)])
 back = Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.05))
 imu = lesson.TeachingRobot(bend, screws={'imu_link': back}).imu
@@ -527,49 +537,42 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
 
 # %% [markdown] lang="en" name="imu-seen" tags=["predicted"]
 # At rest z reads **−9.8** instead of +9.8, and a rotation to the left reads **−0.50**. In `base_link` left is still positive. It is the IMU's z that points down.
-# It is not broken. Describe its mount in the URDF, `rpy="3.1416 0 0"`, and TF transforms each vector correctly. A minus sign in your own node would fix this one number, leave y wrong, and surprise the next person.
+# It is not broken. Describe its mount in the URDF, `rpy="3.1416 0 0"`, and a rotation by `base_T_imu` corrects each vector: `base_v = R @ imu_v`, a rotation without the translation. A minus sign in your own node would fix this one number, leave y wrong, and surprise the next person.
 
 # %% [markdown] lang="ko" name="imu-seen" tags=["predicted"]
 # *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
 #
 # 서 있을 때 z가 +9.8이 아니라 **−9.8**이고, 왼쪽 회전이 **−0.50**입니다. 왼쪽이 양수라는 약속은 그대로이고, IMU의 z가 아래를 향할 뿐입니다.
-# 고장이 아닙니다. 실제로 달린 대로 URDF에 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 바르게 바꿉니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
+# 고장이 아닙니다. 실제로 달린 대로 URDF에 `rpy="3.1416 0 0"`이라고 적으면 `base_T_imu`의 회전이 모든 벡터를 바르게 바꿉니다. 벡터에는 이동 없이 회전만 적용합니다(`base_v = R @ imu_v`). 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
 
-# %% name="imu-arrows" slide="subslide"
+# %% name="imu-arrows" tags=["collapsed"] slide="subslide"
 imu_link = {'base_link': Transform(), 'imu_link': Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.6))}
 up = (0.0, 0.0, rest.linear_acceleration[2])
 lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, fixed_frame='base_link', length_m=0.2)
 
-# %% [markdown] lang="en" name="gravity" slide="subslide"
-# Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** with the reading at rest, which of these can you tell apart?
+# %% [markdown] lang="en" name="imu-arrows-seen" slide="-"
+# The IMU's z points down, and the acceleration at rest still points up.
 
-# %% [markdown] lang="ko" name="gravity" slide="subslide"
+# %% [markdown] lang="ko" name="imu-arrows-seen" slide="-"
 # *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
+
+# %% [markdown] lang="en" name="imu-rules" slide="subslide"
+# ### Three checks before you use an `Imu` message
 #
-# roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 뒤집히지 않고 왼쪽으로 회전해 달린 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
-
-# %% name="what-gravity-tells" tags=["predicted"]
-mounts = {'as drawn': {}, 'left': {'yaw': math.pi / 2}, 'roll π': {'roll': math.pi}, 'pitch π': {'pitch': math.pi}}
-for name, rpy in mounts.items():
-    base_T_imu = Transform.from_rpy(**rpy)
-    at_rest, in_bend = (base_T_imu.inverse().apply((0.0, pull, 9.81)) for pull in (0.0, 0.25))
-    print(f'{name:<9} at rest {lesson.fmt_all(at_rest, "", 2)}   in the bend {lesson.fmt_all(in_bend, "m/s²", 2)}')
-
-# %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
-# Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated. A rotation about the vertical cannot be seen at all.
-# A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate the robot to the left by hand: `angular_velocity.z` must be positive.
-
-# %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
-# *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 회전.
+# The axes are one thing to check. The lecture (§25) names three more. Their rules are in REP 103, REP 145 and the comments of `sensor_msgs/msg/Imu`.
 #
-# 중력은 방향 하나만 알려 줍니다. IMU가 뒤집혔다는 것은 알 수 있지만 어떻게 뒤집혔는지는 알 수 없고, 수직축을 중심으로 한 회전은 전혀 알 수 없습니다.
-# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²의 가속도가 생깁니다. 이 둘째 벡터로 나머지가 정해집니다. 실제 로봇은 손으로 왼쪽으로 회전시켜 봅니다. `angular_velocity.z`가 양수여야 합니다.
+# - **Has the driver removed gravity?** It must not. At rest a correct IMU reads +9.81 on the axis that points up. If z is 0 at rest, the driver has removed gravity.
+# - **Which way is yaw 0?** `orientation` is given in the earth's axes: x points east, y north, z up. So yaw 0 is **east**, and yaw grows to the left. A compass counts from north and to the right. An IMU without a compass has no east: its yaw 0 is the direction in which it was switched on.
+# - **Is the value measured at all?** Each of the three measurements has a covariance. `orientation_covariance[0] = -1` means that this IMU gives no orientation: do not use the quaternion. A covariance of nothing but zeros means "unknown", not "exact".
 
-# %% [markdown] lang="en" name="gravity-notes" slide="notes"
-# Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
-
-# %% [markdown] lang="ko" name="gravity-notes" slide="notes"
-# 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
+# %% [markdown] lang="ko" name="imu-rules" slide="subslide"
+# ### `Imu` 메시지를 쓰기 전에 확인할 세 가지
+#
+# 축의 방향만 확인해서는 부족합니다. 강의(§25)에는 세 가지가 더 나옵니다. 규칙은 REP 103, REP 145와 `sensor_msgs/msg/Imu`의 주석에 있습니다.
+#
+# - **드라이버가 중력을 뺐습니까?** 빼면 안 됩니다. 서 있을 때 올바른 IMU는 위를 향한 축에 +9.81을 보입니다. 서 있는데 z가 0이면 드라이버가 중력을 뺀 것입니다.
+# - **yaw 0은 어느 쪽입니까?** `orientation`은 지구에 고정된 축을 기준으로 합니다. x가 동쪽, y가 북쪽, z가 위입니다. 따라서 yaw 0은 **동쪽**이고 왼쪽으로 갈수록 커집니다. 나침반은 북쪽에서 오른쪽으로 셉니다. 나침반이 없는 IMU는 동쪽을 모르므로, 켤 때 향하던 쪽이 yaw 0입니다.
+# - **정말 측정한 값입니까?** 세 측정값마다 공분산이 있습니다. `orientation_covariance[0] = -1`이면 방향을 측정하지 않는 IMU이므로 쿼터니언을 쓰지 마십시오. 공분산이 모두 0이면 “정확하다”가 아니라 “모른다”라는 뜻입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: faulty URDF files
@@ -605,28 +608,6 @@ for what, text in broken.items():
 #
 # 넷 가운데 셋은 줄 번호와 함께 알려 줍니다. 부모가 둘인 링크, 없는 링크를 쓴 조인트, 숫자 자리에 남은 xacro 식입니다. (우리 프로그램은 실제 프로그램보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
 # **도**(degree)는 문제없다고 나옵니다. 숫자 90 역시 올바른 값이기 때문입니다. 여러분이 무슨 단위로 쟀는지는 파일에 나타나지 않습니다.
-
-# %% [markdown] lang="en" name="deeper" slide="skip"
-# <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
-#
-# - A joint with `<mimic>` follows another one; a driver need not name it.
-# - A joint message that comes sooner than `publish_frequency` (20 Hz) allows is ignored. The transforms have the **stamp of the message**, not the current time.
-# - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
-# - `floating` joints are not published at all, and `planar` ones count as fixed.
-# - If the root link has an inertia, the node prints: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="deeper" slide="skip"
-# <details><summary>더 깊이: robot_state_publisher가 하는 다른 일</summary>
-#
-# - `<mimic>`이 있는 관절은 다른 관절을 따라갑니다. 드라이버가 이름을 보내지 않아도 됩니다.
-# - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 무시합니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
-# - `frame_prefix`는 모든 좌표계 이름 앞에 붙습니다. URDF 하나로 로봇 두 대를 만듭니다(04장).
-# - `floating` 관절은 아예 발행하지 않고, `planar` 관절은 고정된 것으로 다룹니다.
-# - 루트 링크에 관성이 있으면 `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.`라는 WARN이 나옵니다. 해롭지 않으며, `base_link` 위에 `base_footprint`를 두어 없애는 것이 보통입니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -693,6 +674,14 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
+# The lecture does not say how to start `robot_state_publisher` with its URDF (§11). Save the URDF as `robot.urdf`. The parameter takes the *text* of the file, so let the shell read it:
+#
+# ```
+# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ```
+#
+# Without the parameter the node stops with `robot_description parameter must not be empty`. (Here, `tflab` in front of `ros2` runs the same line.) Then look at what it publishes, and at the sensors:
+#
 # ```
 # ros2 topic echo /robot_description --once        # the URDF that all nodes use
 # ros2 topic echo /joint_states                    # names, stamp, position
@@ -705,6 +694,14 @@ for what, text in broken.items():
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
+#
+# 강의(§11)에는 이 URDF로 `robot_state_publisher`를 켜는 법이 나오지 않습니다. URDF를 `robot.urdf`로 저장합니다. 파라미터의 값은 파일 이름이 아니라 파일의 *내용*이므로, 셸이 읽어 넣게 합니다.
+#
+# ```
+# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ```
+#
+# 파라미터가 없으면 노드는 `robot_description parameter must not be empty`라며 멈춥니다. (ROS 2가 없는 컴퓨터에서는 `ros2` 앞에 `tflab`을 붙이면 같은 줄을 실행할 수 있습니다.) 이제 무엇을 발행하는지, 센서는 어떤지 살펴봅니다.
 #
 # ```
 # ros2 topic echo /robot_description --once        # 모든 노드가 받는 URDF
@@ -736,64 +733,6 @@ for what, text in broken.items():
 # - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드의 코드가 아니라 관절의 origin이나 실제 장착을 바로잡으십시오.
 # - `tcp`는 `tool0` 아래에 따로 둔 좌표계입니다.
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. A detector detects a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
-# 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later receive?
-# 3. Which of `base_T_laser` and `laser_T_base` transforms a point that the laser measured into `base_link`?
-#
-# <details><summary>Answers</summary>
-#
-# 1. At (2, 0, 0): optical z is forward.
-# 2. Nothing: `/tf` keeps no messages for listeners that join later.
-# 3. `base_T_laser`: the frame on the left is the one that you want.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. 검출기가 `camera_optical_frame` 기준 (0, 0, 2)에서 컵을 봅니다. `camera_link` 기준으로는 어디입니까?
-# 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 참가한 수신기는 무엇을 받습니까?
-# 3. 레이저가 본 점을 `base_link` 기준으로 바꾸는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
-#
-# <details><summary>답</summary>
-#
-# 1. (2, 0, 0)입니다. 광학 좌표계의 z가 앞입니다.
-# 2. 아무것도 받지 못합니다. `/tf`는 나중에 참가한 수신기를 위해 보관하지 않습니다.
-# 3. `base_T_laser`입니다. 왼쪽에 적힌 것이 결과의 기준입니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q14
-#
-# **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks for the rest.)
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] Everything below `base_link` (or `base_footprint`) comes from the URDF, through `robot_state_publisher`.
-# - [ ] Fixed joints on `/tf_static`, moving ones on `/tf` from `/joint_states`.
-# - [ ] `odom → base` belongs to the wheel odometry or the EKF, one of them; `map → odom` to the localiser. The URDF has neither.
-# - [ ] A mount in the URDF is not also published by a second, static publisher.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q14
-#
-# **14.** URDF, 오도메트리, EKF, 위치 추정은 변환의 발행 책임을 어떻게 나눌 수 있습니까? URDF의 몫은 무엇이고 어디까지인지 써 보세요. (나머지는 12장에서 묻습니다.)
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] `base_link`(또는 `base_footprint`) 아래의 모든 것은 URDF에서 `robot_state_publisher`를 거쳐 나옵니다.
-# - [ ] 고정된 관절은 `/tf_static`, 움직이는 관절은 `/joint_states`를 받아 `/tf`로 발행합니다.
-# - [ ] `odom → base`는 바퀴 오도메트리나 EKF 가운데 하나, `map → odom`은 위치 추정의 책임입니다. URDF에는 둘 다 없습니다.
-# - [ ] URDF에 있는 장착 변환을 별도의 정적 발행자가 또 발행하지 않습니다.
-#
-# </details>
-
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
@@ -816,10 +755,146 @@ for what, text in broken.items():
 #
 # </details>
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time of a transform.
-# In the exercises, `solution("E7.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now read a joint of a URDF, say which of its frames are published, and recognise a sensor whose mount differs from the description.
+# Do the exercises next, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb). Then go on to [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time of a transform.
+# In the exercises, `solution("E7.1")` shows a solution after you have passed the task or tried three times.
+#
+# The sections below are optional. They contain the calibration of a tool, what gravity tells about a mount, rare kinds of joints, and questions for practice.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 URDF의 관절을 읽고, 어느 좌표계가 발행되는지 말하고, 도면과 다르게 달린 센서를 알아볼 수 있습니다.
+# 다음은 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)입니다. 그다음 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다.
+#
+# 아래는 더 알고 싶은 사람을 위한 것입니다. 공구의 tcp를 구하는 법, 중력으로 장착을 알아내는 법, 드문 관절, 복습 문제가 있습니다.
+
+# %% [markdown] lang="en" name="touch" slide="slide"
+# ## How to find a tcp: touch a mark
+#
+# Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`. The arm stands as in the figure above.
+
+# %% [markdown] lang="ko" name="touch" slide="slide"
+# ## tcp의 위치 구하기: 표시에 대 보기
+#
+# 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다. 팔의 자세는 앞의 그림과 같습니다.
+
+# %% name="touch-it" slide="-"
+arm = lesson.link_poses(lesson.parse_urdf(URDF), {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4})
+base_T_tool0 = arm['base_link'].inverse() @ arm['tool0']
+base_p_tip = (0.3563, 0.2491, 0.3546)  # where the mark is, measured with a ruler
+tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
+print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
+
+# %% [markdown] lang="en" name="gravity" slide="slide"
+# ## What gravity tells about a mount, and what it does not
+#
+# Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** with the reading at rest, which of these can you tell apart?
+
+# %% [markdown] lang="ko" name="gravity" slide="slide"
+# ## 중력으로 알 수 있는 것과 알 수 없는 것
+#
+# roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 뒤집히지 않고 왼쪽으로 회전해 달린 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
+
+# %% name="what-gravity-tells" tags=["predicted"]
+mounts = {'as drawn': {}, 'left': {'yaw': math.pi / 2}, 'roll π': {'roll': math.pi}, 'pitch π': {'pitch': math.pi}}
+for name, rpy in mounts.items():
+    base_T_imu = Transform.from_rpy(**rpy)
+    at_rest, in_bend = (base_T_imu.inverse().apply((0.0, pull, 9.81)) for pull in (0.0, 0.25))
+    print(f'{name:<9} at rest {lesson.fmt_all(at_rest, "", 2)}   in the bend {lesson.fmt_all(in_bend, "m/s²", 2)}')
+
+# %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
+# Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated. A rotation about the vertical cannot be seen at all.
+# A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate the robot to the left by hand: `angular_velocity.z` must be positive.
+
+# %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
+# *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 회전.
+#
+# 중력은 방향 하나만 알려 줍니다. IMU가 뒤집혔다는 것은 알 수 있지만 어떻게 뒤집혔는지는 알 수 없고, 수직축을 중심으로 한 회전은 전혀 알 수 없습니다.
+# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²의 가속도가 생깁니다. 이 둘째 벡터로 나머지가 정해집니다. 실제 로봇은 손으로 왼쪽으로 회전시켜 봅니다. `angular_velocity.z`가 양수여야 합니다.
+
+# %% [markdown] lang="en" name="gravity-notes" slide="notes"
+# Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
+
+# %% [markdown] lang="ko" name="gravity-notes" slide="notes"
+# 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
+
+# %% [markdown] lang="en" name="deeper" slide="skip"
+# ## What `robot_state_publisher` does with other joints
+#
+# - A joint with `<mimic>` follows another one; a driver need not name it.
+# - A joint message that comes sooner than `publish_frequency` (20 Hz) allows is ignored. The transforms have the **stamp of the message**, not the current time.
+# - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
+# - `floating` joints are not published at all, and `planar` ones count as fixed.
+# - If the root link has an inertia, the node prints: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
+
+# %% [markdown] lang="ko" name="deeper" slide="skip"
+# ## `robot_state_publisher`가 다른 관절을 다루는 법
+#
+# - `<mimic>`이 있는 관절은 다른 관절을 따라갑니다. 드라이버가 이름을 보내지 않아도 됩니다.
+# - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 무시합니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
+# - `frame_prefix`는 모든 좌표계 이름 앞에 붙습니다. URDF 하나로 로봇 두 대를 만듭니다(04장).
+# - `floating` 관절은 아예 발행하지 않고, `planar` 관절은 고정된 것으로 다룹니다.
+# - 루트 링크에 관성이 있으면 `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.`라는 WARN이 나옵니다. 해롭지 않으며, `base_link` 위에 `base_footprint`를 두어 없애는 것이 보통입니다.
+
+# %% [markdown] lang="en" name="from-before" slide="slide"
+# ## Three questions from earlier chapters
+#
+# 1. A detector detects a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
+# 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later receive?
+# 3. Which of `base_T_laser` and `laser_T_base` transforms a point that the laser measured into `base_link`?
+#
+# <details><summary>Answers</summary>
+#
+# 1. At (2, 0, 0): optical z is forward.
+# 2. Nothing: `/tf` keeps no messages for listeners that join later.
+# 3. `base_T_laser`: the frame on the left is the one that you want.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="slide"
+# ## 앞 장 복습: 세 문제
+#
+# 1. 검출기가 `camera_optical_frame` 기준 (0, 0, 2)에서 컵을 봅니다. `camera_link` 기준으로는 어디입니까?
+# 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 참가한 수신기는 무엇을 받습니까?
+# 3. 레이저가 본 점을 `base_link` 기준으로 바꾸는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. (2, 0, 0)입니다. 광학 좌표계의 z가 앞입니다.
+# 2. 아무것도 받지 못합니다. `/tf`는 나중에 참가한 수신기를 위해 보관하지 않습니다.
+# 3. `base_T_laser`입니다. 왼쪽에 적힌 것이 결과의 기준입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice" slide="slide"
+# ## Practice question · Q14: the URDF's part
+#
+# **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks for the rest.)
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] Everything below `base_link` (or `base_footprint`) comes from the URDF, through `robot_state_publisher`.
+# - [ ] Fixed joints on `/tf_static`, moving ones on `/tf` from `/joint_states`.
+# - [ ] `odom → base` belongs to the wheel odometry or the EKF, one of them; `map → odom` to the localiser. The URDF has neither.
+# - [ ] A mount in the URDF is not also published by a second, static publisher.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="slide"
+# ## 서술형 문제 · Q14: URDF의 몫
+#
+# **14.** URDF, 오도메트리, EKF, 위치 추정은 변환의 발행 책임을 어떻게 나눌 수 있습니까? URDF의 몫은 무엇이고 어디까지인지 써 보세요. (나머지는 12장에서 묻습니다.)
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `base_link`(또는 `base_footprint`) 아래의 모든 것은 URDF에서 `robot_state_publisher`를 거쳐 나옵니다.
+# - [ ] 고정된 관절은 `/tf_static`, 움직이는 관절은 `/joint_states`를 받아 `/tf`로 발행합니다.
+# - [ ] `odom → base`는 바퀴 오도메트리나 EKF 가운데 하나, `map → odom`은 위치 추정의 책임입니다. URDF에는 둘 다 없습니다.
+# - [ ] URDF에 있는 장착 변환을 별도의 정적 발행자가 또 발행하지 않습니다.
+#
+# </details>

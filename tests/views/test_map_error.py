@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from tflab.views.map_error import describe_tracks, distances_to, draw_placed, draw_tracks, point_errors, smoothness
+from tflab.views.map_error import (
+    describe_tracks,
+    distances_to,
+    draw_detections,
+    draw_placed,
+    draw_tracks,
+    point_errors,
+    smoothness,
+)
 
 WALL = ((0.0, 0.0), (4.0, 0.0))
 
@@ -31,6 +39,18 @@ def test_the_picture_says_in_words_how_far_off_each_way_is():
         "right      1 points, off by 0.000 m on average, 0.000 m at worst",
         "wrong      2 points, off by 0.750 m on average, 1.000 m at worst",
     ]
+
+
+def test_detections_are_shown_in_map_with_the_robots_path_and_enlarged():
+    points, path = [(1.0, 2.5), (1.0, 3.0)], [(-1.0, 0.0), (0.0, 0.5)]
+    picture = draw_detections(points, (1.0, 2.0, 0.3), path, "with Time()")
+    assert picture.text.splitlines() == [
+        "the robot's path: from (-1.00, 0.00) m to (0.00, 0.50) m in map",
+        "ball (true position): (1.00, 2.00) m",
+        "detections, with Time()      2 points, off by 0.750 m on average, 1.000 m at worst",
+    ]
+    near, far = (np.ptp(ax.get_xlim()) for ax in picture.figure.axes)
+    assert near < far
 
 
 def test_every_way_has_a_panel_at_the_same_scale_and_a_metre_is_a_metre():

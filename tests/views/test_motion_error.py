@@ -56,7 +56,7 @@ def test_the_pieces_are_good_only_while_the_robot_turns_little():
 def test_latency_in_words():
     assert describe_latency(Sight(1.0, 0.5, 5.0, seconds(0.2))) == (
         "A robot drives 1.000 m/s and turns 0.500 rad/s.\n"
-        "It sees an object 5.000 m ahead and uses the sight 0.200 s after its stamp.\n"
+        "It sees an object 5.000 m ahead and uses the detection 0.200 s after its stamp.\n"
         "  at the stamp, the truth      (5.000, 0.000) m\n"
         "  at now, the wrong answer     (5.175, 0.509) m\n"
         "  error, exactly               0.538 m\n"

@@ -83,6 +83,7 @@ DRAWINGS = {
     "many points": lambda: map_error.draw_placed(
         {"here": np.random.default_rng(1).normal(size=(5000, 3))}, walls=[((0.0, 0.0), (4.0, 0.0))]
     ),
+    "detections": lambda: map_error.draw_detections(LINE[3:], LINE[4], path=LINE[:3], how="as measured"),
     "orders": lambda: rotations.draw_orders(("roll", 1.5), ("yaw", 1.5)),
     "drives": lambda: rotations.draw_drives({"left": 0.4, "right": -0.4}),
 }

@@ -7,6 +7,7 @@
     +------------------+       +------------------+
     off by 0.004 m on average  off by 0.210 m on average
 
+`draw_detections` shows one such group of points beside the robot's path, and enlarged.
 `draw_tracks` compares one drive in several frames (REP-105): odom drifts and never jumps, map
 jumps and never drifts. Its lower curve is the absolute trajectory error.
 """
@@ -25,12 +26,11 @@ from .picture import Picture
 Point2 = tuple[float, float]
 Wall = tuple[Point2, Point2]
 
-CAPTION_PX, TITLE_PX, GAP_PX, EDGE_PX = 46, 34, 18, 16
+CAPTION_PX, LINE_PX, TITLE_PX, GAP_PX, EDGE_PX, TICKS_PX = 62, 14, 34, 18, 16, 58
 LOWEST_PX, HIGHEST_PX = 130, 360
 MARGIN_M = 0.3
 RING_PT = 11.0
-SCALES_M = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
-SCALE_PART, SCALE_PT = 0.2, 8.0  # of a panel, at most; how far below it
+ENLARGED_PX, ENLARGED_PART = 280, 1.3  # how tall it is; its half height is this many times the largest error
 
 
 class PointErrors(NamedTuple):
@@ -102,18 +102,18 @@ def draw_placed(
     """
     x_low, y_low, x_high, y_high = shown_m or _everything(placed, walls, things)
     width_px = round(style.WIDE[0] * style.SCREEN_DPI)
-    panel_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(placed) - 1)) / len(placed)
+    panel_px = (width_px - TICKS_PX - EDGE_PX - GAP_PX * (len(placed) - 1)) / len(placed)
     tall_px = round(np.clip(panel_px * (y_high - y_low) / (x_high - x_low), LOWEST_PX, HIGHEST_PX))
     height_px = TITLE_PX + tall_px + CAPTION_PX
     picture = Picture(style.wide(height_px))
     with style.our_settings():
         for i, (name, points) in enumerate(placed.items()):
-            left = EDGE_PX + i * (panel_px + GAP_PX)
+            left = TICKS_PX + i * (panel_px + GAP_PX)
             ax = picture.add_axes_px(left, CAPTION_PX, panel_px, tall_px)
             _draw_panel(ax, _seen(points), walls, things)
             show_all(ax, np.array([(x_low, y_low), (x_high, y_high)]), margin_m=0.0)
             ax.set_title(name, loc="left", pad=7)
-            _draw_scale(ax)
+            _draw_ticks(ax, with_y=i == 0, below_pt=31.0)
             err = point_errors(points, walls, things)
             ax.set_xlabel(f"off by {style.fmt(err.mean_m)} on average\n{style.fmt(err.worst_m)} at worst", loc="left")
     picture.text = describe_placed(placed, walls, things)
@@ -121,8 +121,6 @@ def draw_placed(
 
 
 def _draw_panel(ax, points: np.ndarray, walls: Sequence[Wall], things: Sequence[Sequence[float]]) -> None:
-    ax.set_xticks([])
-    ax.set_yticks([])
     for spine in ax.spines.values():
         spine.set_color(style.HAIR)
     for wall in np.asarray(walls, dtype=float).reshape(-1, 2, 2):
@@ -133,17 +131,67 @@ def _draw_panel(ax, points: np.ndarray, walls: Sequence[Wall], things: Sequence[
         ax.plot(*thing[:2], "o", color=style.INK, markersize=RING_PT, markerfacecolor="none", markeredgewidth=1.6)
 
 
-def _draw_scale(ax) -> None:
-    """Draw how long a metre is, or what is near it: a bar below the lower right corner, with its length."""
-    from matplotlib.transforms import ScaledTranslation
+def _draw_ticks(ax, with_y: bool, below_pt: float) -> None:
+    """Give axes ticks in metres, and names that tell the frame, `map`; that of x stands so far below the axes."""
+    from matplotlib.ticker import MaxNLocator
 
-    left, right = ax.get_xlim()
-    length_m = max(length for length in SCALES_M if length <= max(SCALE_PART * (right - left), SCALES_M[0]))
-    below = ax.get_xaxis_transform() + ScaledTranslation(0.0, -SCALE_PT / 72.0, ax.figure.dpi_scale_trans)
-    ax.plot([right - length_m, right], [0.0, 0.0], color=style.GREY, linewidth=2.0, solid_capstyle="butt",
-            transform=below, clip_on=False)  # fmt: skip
-    ax.annotate(f"{length_m:g} m", (right - length_m / 2, 0.0), (0, -3), xycoords=below, textcoords="offset points",
-                ha="center", va="top", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
+    for axis in (ax.xaxis, ax.yaxis):
+        axis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
+    ax.tick_params(length=3.0, labelleft=with_y)
+    ax.annotate("x in map [m]", (1.0, 0.0), (0.0, -below_pt), xycoords="axes fraction", textcoords="offset points",
+                ha="right", va="top", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
+    if with_y:
+        ax.set_ylabel("y in map [m]")
+
+
+def draw_detections(
+    points: Sequence[Sequence[float]], ball: Sequence[float], path: Sequence[Sequence[float]], how: str
+) -> Picture:
+    """Draw a robot's path and a ball from above, and enlarged below them, where detections put the ball.
+
+    Args:
+        points: where each detection put it, shape (n, 2) or (n, 3) [m] in `map`.
+        ball: its true position [m].
+        path: where the robot drove, shape (n, 2) or (n, 3) [m].
+        how: how the detections were transformed, as their label.
+    """
+    from matplotlib.patches import ConnectionPatch, Rectangle
+
+    points, path, (ball,) = _flat(points), _flat(path), _flat([ball])
+    error = point_errors(points, things=[ball])
+    across_px, below_px = round(style.WIDE[0] * style.SCREEN_DPI) - TICKS_PX - EDGE_PX, CAPTION_PX - LINE_PX
+    half_m = ENLARGED_PART * error.worst_m * np.array((across_px / ENLARGED_PX, 1.0))
+    enlarged = np.array((ball - half_m, ball + half_m))
+    everything = np.vstack((path, enlarged))
+    low, high = everything.min(axis=0) - MARGIN_M / 2, everything.max(axis=0) + MARGIN_M / 2
+    up_px = max(LOWEST_PX, across_px * (high[1] - low[1]) / (high[0] - low[0]))
+    picture = Picture(style.wide(EDGE_PX + up_px + 2 * below_px + ENLARGED_PX))
+    with style.our_settings():
+        near = picture.add_axes_px(TICKS_PX, below_px, across_px, ENLARGED_PX)
+        far = picture.add_axes_px(TICKS_PX, 2 * below_px + ENLARGED_PX, across_px, up_px)
+        for ax, shown in ((far, np.array((low, high))), (near, enlarged)):
+            _draw_panel(ax, points, (), [ball])
+            show_all(ax, shown, margin_m=0.0)
+            _draw_ticks(ax, with_y=True, below_pt=19.0)
+        far.add_patch(Rectangle(enlarged[0], *np.ptp(enlarged, axis=0), fill=False, edgecolor=style.GREY))
+        for x in enlarged[:, 0]:
+            far.add_artist(ConnectionPatch((x, enlarged[0, 1]), (x, enlarged[1, 1]), "data", "data", axesA=far,
+                                           axesB=near, color=style.FAINT, linewidth=0.8))  # fmt: skip
+        far.plot(*path.T, color=style.INK, linewidth=TRACK_WIDTH)
+        far.annotate("", path[-1], path[-2], arrowprops={"arrowstyle": "-|>", "color": style.INK, "mutation_scale": 16})
+        for ax, text, at, colour in (
+            (far, "the robot's path", (path[0, 0], path[:, 1].max() + 0.15), style.INK),
+            (near, "ball (true position)", (ball[0] + 0.05, ball[1]), style.INK),
+            (near, f"detections, {how}", (points[:, 0].max() + 0.03, points[:, 1].max()), style.ACCENT),
+        ):
+            ax.text(*at, text, va="center", color=colour)
+        near.set_xlabel(f"off by {style.fmt(error.mean_m)} on average, {style.fmt(error.worst_m)} at worst", loc="left")
+    picture.text = "\n".join((
+        f"the robot's path: from {style.fmt_all(path[0], digits=2)} to {style.fmt_all(path[-1], digits=2)} in map",
+        f"ball (true position): {style.fmt_all(ball, digits=2)}",
+        describe_placed({f"detections, {how}": points}, things=[ball]),
+    ))  # fmt: skip
+    return picture
 
 
 def _everything(

@@ -109,7 +109,7 @@ def describe_latency(sight: Sight) -> str:
     return "\n".join(
         (
             f"A robot drives {style.fmt(sight.speed_mps, 'm/s')} and turns {style.fmt(sight.yaw_rate_radps, 'rad/s')}.",
-            f"It sees an object {style.fmt(sight.range_m)} ahead and uses the sight "
+            f"It sees an object {style.fmt(sight.range_m)} ahead and uses the detection "
             f"{style.fmt_stamp(sight.delay_ns)} after its stamp.",
             f"  at the stamp, the truth      {style.fmt_all((sight.range_m, 0.0))}",
             f"  at now, the wrong answer     {style.fmt_all(error.drawn_at[:2])}",

@@ -51,7 +51,7 @@ from tflab.views.fault_tables import draw_owners
 from tflab.views.frames import draw_scene
 from tflab.views.late_joiner import Sender, draw_joins
 from tflab.views.late_joiner import SentMessage as Letter
-from tflab.views.map_error import draw_placed, draw_tracks
+from tflab.views.map_error import draw_detections, draw_placed, draw_tracks
 from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, latency_error
 from tflab.views.moved_frames import draw_moves
 from tflab.views.panels import (
@@ -127,7 +127,8 @@ __all__ = [
     "TeachingRobot", "WaitingNode", "admit", "ages_of_decisions", "angle", "answer_of", "ask_first", "cameras_panel",
     "check_environment", "clinic_panel", "clocks_panel", "current_graph", "describe_extent", "doctor", "draw_ages",
     "draw_arrow", "draw_ball", "draw_bend", "draw_body", "draw_body_axes", "draw_both_ways", "draw_buffer",
-    "draw_camera", "draw_cameras", "draw_card", "draw_clocks", "draw_columns", "draw_course", "draw_dominoes",
+    "draw_camera", "draw_cameras", "draw_card", "draw_clocks", "draw_columns", "draw_course", "draw_detections",
+    "draw_dominoes",
     "draw_drives", "draw_frame", "draw_heard", "draw_history", "draw_joins", "draw_joints", "draw_journeys",
     "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_moves", "draw_mug", "draw_orders",
     "draw_owners", "draw_path", "draw_placed", "draw_question", "draw_questions", "draw_readings", "draw_right_hand",
