@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 11 · Tools and RViz
 #
-# **Ok means computed, not true** · about 60 minutes, 50 as a talk · builds on 04, 05 and 08
+# **Ok means computed, not true** · about 45 minutes, 50 as a talk · builds on 04, 05 and 08
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 11 · 도구와 RViz
 #
-# **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다** · 약 60분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
+# **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다** · 약 45분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -137,18 +137,21 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # 질문에 맞지 않는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
 # 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 도구의 출력을 조금 줄인 것입니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
 
-# %% name="ask-first-panel" tags=["interactive"] slide="subslide"
+# %% name="ask-first-panel" tags=["interactive", "collapsed"] slide="subslide"
 lesson.start_robot()
 lesson.tools_panel()
 
-# %% name="ask-first-table" tags=["static"]
-lesson.draw_toolbox()
+# %% name="ask-first-still" tags=["static"]
+lesson.tools_panel().picture
 
 # %% [markdown] lang="en" name="ask-first-notes" slide="notes"
 # Four minutes with the table. Try the wrong tool first on two questions, then the right one: a wrong tool prints, too.
 
 # %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
 # 표까지 합해 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
+
+# %% name="ask-first-table" tags=["collapsed"] slide="subslide"
+lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
 # Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not show which of them publishes which edge.
@@ -176,9 +179,11 @@ lesson.draw_toolbox()
 #
 # 로봇이 9초 동안 달린 뒤에 도구를 실행합니다. 첫 보고는 10.5초 뒤에 나옵니다.
 
-# %% name="monitor-run" slide="-"
+# %% name="monitor-robot" tags=["collapsed"] slide="skip"
 graph = lesson.start_robot()
 graph.run(seconds=9.1)
+
+# %% name="monitor-run" slide="-"
 # %ros2 run tf2_ros tf2_monitor map laser_frame
 
 # %% [markdown] lang="en" name="monitor-seen"
@@ -209,7 +214,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="ko" name="monitor-run-notes" slide="notes"
 # 곡선까지 합해 8분입니다. 한 줄씩 읽기 전에, 보고하고 싶은 숫자 하나에 밑줄을 긋게 합니다.
 
-# %% name="monitor-average" slide="subslide"
+# %% name="monitor-average" tags=["collapsed"] slide="subslide"
 looks = range(0, 481, 4)  # two a second, for four minutes
 times = [0.5 * n for n in looks]
 avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
@@ -281,23 +286,43 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% [markdown] lang="ko" name="view-frames-notes" slide="notes"
 # 연결 하나(`odom → base_footprint`)를 함께 찾아 발행률을 읽습니다. 10000은 발행률이 아니라 표본 하나를 0.0001초로 나눈 값입니다.
 
+# %% [markdown] lang="en" name="six-points" slide="subslide"
+# The lecture (section 12) reads six things from this picture:
+#
+# - Is the tree in one piece?
+# - Is the order `map → odom → base_link` right?
+# - Is each sensor below the right parent?
+# - Is a name misspelt, or a prefix wrong?
+# - Are the rates and the oldest transforms normal?
+# - Does one node alone publish each child? This the picture cannot show: it draws one parent for each frame, and no owner.
+
+# %% [markdown] lang="ko" name="six-points" slide="subslide"
+# 강의 12절에서는 이 그림에서 여섯 가지를 확인합니다.
+#
+# - 트리가 한 덩어리로 연결되어 있습니까?
+# - `map → odom → base_link`의 순서가 맞습니까?
+# - 센서 좌표계가 올바른 부모 아래에 있습니까?
+# - 예상하지 않은 철자나 접두사가 있습니까?
+# - 발행률과 가장 오래된 변환이 정상입니까?
+# - 자식마다 발행하는 노드가 하나입니까? 이것은 그림으로 알 수 없습니다. 부모는 하나만 그려지고 발행자는 나오지 않습니다.
+
 # %% [markdown] lang="en" name="two-owners" slide="subslide"
 # Still, it reveals two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
 
 # %% [markdown] lang="ko" name="two-owners" slide="subslide"
 # 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 발행합니다. 이 연결의 발행률은 얼마로 나올까요?
 
-# %% name="two-owners-tree" tags=["predicted"]
+# %% name="two-owners-robot" tags=["predicted", "collapsed"] slide="skip"
 graph = lesson.start_robot(also=['ekf_filter_node'])
-lesson.frame_tree()
+
+# %% name="two-owners-tree" tags=["predicted"]
+# %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="two-owners-seen" tags=["predicted"]
-# `frame_tree()` is ours, not ROS's. In one process we know which node sent what, so it names the owners. On a robot you have the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
+# **50.1 Hz where 20.2 is normal.** More messages than one node sends means more than one node. The picture has no names. `ros2 topic info /tf --verbose` lists the nodes that can be the second owner; chapter 12 finds out which of them it is.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
-# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, rate = 발행률, age = 나이, published by = 발행자. 아래의 색 있는 줄은 이 연결의 발행자가 둘이며 조회하면 두 값 사이의 값이 나온다는 뜻입니다.
-#
-# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 발행자를 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다.
+# **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다. 그림에 이름은 나오지 않습니다. 두 번째 발행자일 수 있는 노드는 `ros2 topic info /tf --verbose`로 알 수 있고, 그 가운데 어느 노드인지는 12장에서 찾습니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
 # Vote with fingers, one for each 10 Hz: 20, 30 or 50 Hz? On a robot you would have the 50 alone, and no names beside it.
@@ -315,9 +340,11 @@ lesson.frame_tree()
 #
 # [[tf2_echo]]는 첫째 좌표계를 기준으로 한 둘째 좌표계의 포즈를 출력합니다. 따로 정하지 않으면 1초에 한 번입니다.
 
-# %% name="echo-run" slide="-"
+# %% name="echo-robot" tags=["collapsed"] slide="skip"
 graph = lesson.start_robot()
 graph.run(seconds=20.15)
+
+# %% name="echo-run" slide="-"
 # %ros2 --for 2.5 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-predict"
@@ -408,7 +435,7 @@ for f in (1, 2, 10, 20):
 #
 # *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 보간한 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
 
-# %% name="often-enough-panel" tags=["interactive"] slide="subslide"
+# %% name="often-enough-panel" tags=["interactive", "collapsed"] slide="subslide"
 lesson.rate_panel()
 
 # %% name="often-enough-still" tags=["static"]
@@ -438,13 +465,15 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
 # 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
-# %% name="rviz-live" tags=["interactive"] slide="subslide"
+# %% name="rviz-robot" tags=["collapsed"] slide="skip"
 graph = lesson.start_robot()
-graph.run(seconds=20)
+graph.run(seconds=24)
+
+# %% name="rviz-live" tags=["interactive"] slide="subslide"
 # %rviz2 -f map
 
 # %% name="rviz-still" tags=["static"]
-graph = lesson.start_robot()
+lesson.start_robot()
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-notes" slide="notes"
@@ -454,23 +483,34 @@ lesson.draw_rviz(until_s=25.0)
 # 정지 그림까지 합해 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% [markdown] lang="en" name="rviz-seen"
-# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
+# The figure shows the same from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). Below it is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
-# **Question 4.** The same time, once in each Fixed Frame, and the robot's pose in `odom` for comparison:
+# **Question 4.** RViz calls `lookup_transform` with the Fixed Frame as target. Do the same for three Fixed Frames, and look up the robot's pose in `odom` each time:
 
 # %% [markdown] lang="ko" name="rviz-seen"
-# *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 회전하는 중이고 레이저가 한 번 훑는 데 0.1초가 걸리기 때문입니다.
+# *그림 읽기:* 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 아래는 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 회전하는 중이고 레이저가 한 번 훑는 데 0.1초가 걸리기 때문입니다.
 #
-# **질문 4.** 같은 순간을 고정 좌표계만 바꾸어 보고, 그때마다 TF로 조회한 `odom` 기준 로봇의 포즈를 출력합니다.
+# **질문 4.** RViz는 고정 좌표계를 목표로 `lookup_transform`을 호출합니다. 고정 좌표계 셋으로 똑같이 해 보고, 그때마다 `odom` 기준 로봇의 포즈도 조회합니다.
+
+# %% name="fixed-frame-robot" tags=["predicted", "collapsed"] slide="skip"
+graph = lesson.start_robot()
+graph.run(seconds=24)
 
 # %% name="fixed-frame" tags=["predicted"] slide="fragment"
-graph = lesson.start_robot()
-graph.run(seconds=25)
-seen = lesson.look(graph, seconds=4.0)
+import rclpy
+from rclpy.node import Node
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformListener
+
+rclpy.init()
+node, buffer = Node('viewer'), Buffer()
+listener = TransformListener(buffer, node, spin_thread=True)
+graph.run(seconds=1)
 for fixed_frame in ('map', 'odom', 'base_link'):
-    laser = seen.ask(fixed_frame, 'laser_frame', lesson.LATEST).translation
-    robot = seen.ask('odom', 'base_footprint', lesson.LATEST).translation
-    print(f'{fixed_frame:<10} laser drawn at {lesson.fmt_all(laser[:2])}   odom_T_base {lesson.fmt_all(robot[:2])}')
+    laser = buffer.lookup_transform(fixed_frame, 'laser_frame', Time()).transform.translation
+    robot = buffer.lookup_transform('odom', 'base_footprint', Time()).transform.translation
+    print(f'{fixed_frame:<9}  laser at ({laser.x:.3f}, {laser.y:.3f})   robot in odom ({robot.x:.3f}, {robot.y:.3f})')
+rclpy.shutdown()
 
 # %% [markdown] lang="en" name="fixed-frame-seen" tags=["predicted"]
 # The picture changes, the data does not. A Fixed Frame is a point of view. If you change it, nothing is published, nothing is stored, and no other node is affected. (Only a goal or an initial pose that you send with RViz's own tools is expressed in the Fixed Frame.)
@@ -514,7 +554,7 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # %% [markdown] lang="ko" name="ok-is-not-true-notes" slide="notes"
 # 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 사실이 아닌 것은 어느 것입니까? 없습니다. 그다음 로봇마다 오류가 나올 줄을 종이에 적게 합니다.
 
-# %% name="three-robots-mount" tags=["predicted"] slide="subslide"
+# %% name="three-robots-mount" tags=["predicted", "collapsed"] slide="subslide"
 lesson.start_robot('mount')
 lesson.draw_rviz(until_s=25.0)
 
@@ -524,7 +564,7 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="three-robots-mount-notes" slide="notes"
 # 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 비교할까요? 도면입니다.
 
-# %% name="three-robots-header" tags=["predicted"] slide="subslide"
+# %% name="three-robots-header" tags=["predicted", "collapsed"] slide="subslide"
 lesson.start_robot('header')
 lesson.draw_rviz(until_s=25.0)
 
@@ -534,7 +574,7 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="three-robots-header-notes" slide="notes"
 # 또 같은 목록입니다. 헤더는 무엇과 비교할까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
 
-# %% name="three-robots-clock" tags=["predicted"] slide="subslide"
+# %% name="three-robots-clock" tags=["predicted", "collapsed"] slide="subslide"
 lesson.start_robot('clock')
 lesson.draw_rviz(until_s=25.0)
 
@@ -591,14 +631,14 @@ lesson.start_robot('clock').run(seconds=5)
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
 #
-# Four faults with red lines, and one without. **Predict** before each: which displays fail? First: the localiser stops, and RViz is opened a while later.
+# Two faults whose lists begin with the same red line. **Predict** before each: which displays fail? First, the localiser stops (Ctrl-C in its terminal), and RViz is opened a while later.
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
 #
-# 오류 줄이 나오는 고장 네 가지와, 나오지 않는 고장 한 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저, 위치 추정 노드가 멈추고 한참 뒤에 RViz를 엽니다.
+# 목록의 첫 오류 줄이 같은 고장 두 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저 위치 추정 노드를 멈추고(터미널에서 Ctrl-C) 한참 뒤에 RViz를 엽니다.
 
-# %% name="break-localization" tags=["predicted"]
+# %% name="break-localization" tags=["predicted", "collapsed"]
 lesson.start_robot().run(seconds=5)
 lesson.stop_node('localization')
 lesson.draw_rviz()
@@ -610,12 +650,12 @@ lesson.draw_rviz()
 # `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 정상입니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map` 기준의 데이터를 `map` 기준으로 바꿀 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 실행 중이라는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="break-capital-predict" slide="subslide"
-# Next, a capital letter: Fixed Frame `Map`.
+# Second, a capital letter: Fixed Frame `Map`.
 
 # %% [markdown] lang="ko" name="break-capital-predict" slide="subslide"
-# 다음은 대문자 하나입니다. 고정 좌표계가 `Map`입니다.
+# 둘째는 대문자 하나입니다. 고정 좌표계가 `Map`입니다.
 
-# %% name="break-capital" tags=["predicted"]
+# %% name="break-capital" tags=["predicted", "collapsed"]
 lesson.start_robot().run(seconds=5)
 lesson.draw_rviz(fixed_frame='Map')
 
@@ -624,60 +664,6 @@ lesson.draw_rviz(fixed_frame='Map')
 
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
 # 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map 디스플레이까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
-
-# %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
-# Next, no node publishes the joint positions any more.
-
-# %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
-# 다음은 관절 값을 발행하는 노드가 없을 때입니다.
-
-# %% name="break-joints" tags=["predicted"]
-lesson.start_robot()
-lesson.stop_node('joint_driver')
-lesson.draw_rviz()
-
-# %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
-# RobotModel counts 7 errors, TF only 3 warnings. TF lists the frames that it has *received*; RobotModel lists the links *in the URDF*. The scan is not affected: no joint that moves is between `map` and `laser_frame`.
-
-# %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
-# RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *받은* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 정상입니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
-
-# %% [markdown] lang="en" name="break-odometry-predict"
-# Last, the wheel odometry stops, and RViz is opened a while later.
-
-# %% [markdown] lang="ko" name="break-odometry-predict"
-# 마지막으로 바퀴 오도메트리 노드가 멈추고, 조금 뒤에 RViz를 엽니다.
-
-# %% name="break-odometry" tags=["predicted"]
-lesson.start_robot().run(seconds=5)
-lesson.stop_node('wheel_odometry')
-lesson.draw_rviz()
-
-# %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
-# This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
-
-# %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
-# `not part of the same tree`는 원인을 알려 주는 오류입니다. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
-
-# %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
-# And the one without a red line: the EKF publishes `odom → base_footprint`, too. RViz draws the robot here, then there; every single lookup is Ok. The list cannot show it, but several lookups in a row can:
-
-# %% [markdown] lang="ko" name="break-ekf-predict" slide="subslide"
-# 그리고 오류 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 발행합니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 그때마다 Ok입니다. 목록에 나오지 않는 것도 잇달아 여러 번 조회하면 드러납니다.
-
-# %% name="break-ekf" tags=["predicted"]
-graph = lesson.start_robot(also=['ekf_filter_node'])
-graph.run(seconds=25.5)
-for _ in range(6):
-    now = lesson.look(graph, seconds=0.22)
-    x, y, _ = now.ask('odom', 'base_footprint', lesson.LATEST).translation
-    print(f'{graph.now_ns / 1e9:.2f} s   odom_T_base x {x:.3f} m, y {y:.3f} m')
-
-# %% [markdown] lang="en" name="break-ekf-seen" tags=["predicted"]
-# It alternates by up to 0.3 m, and x does not even grow evenly: the wheel odometry drifts to one side, the EKF does not. Each value alone is valid.
-
-# %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
-# 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
 
 # %% [markdown] lang="en" name="break-notes" slide="notes"
 # Before you show the table, name each symptom, and let the class call out the node that they would check first. If they call "the sensor", answer "its messages arrived".
@@ -842,9 +828,6 @@ for _ in range(6):
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
 # 찾아보는 슬라이드입니다. 한 문장만 말합니다. 시뮬레이션이나 bag에서는 도구에도 `use_sim_time`이 필요합니다. 처음 이야기의 해결책이었습니다.
 
-# %% name="stop" slide="skip"
-graph.stop()
-
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
@@ -870,78 +853,6 @@ graph.stop()
 
 # %% [markdown] lang="ko" name="recap-notes" slide="notes"
 # 쪽지를 쓰는 동안 화면에 띄워 둡니다.
-
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. A frame without a parent: what is it called, and how many of them has a healthy robot?
-# 2. The localiser corrects the pose by 20 cm. Which edge changes?
-# 3. Which stamp does RViz use to place a scan, and why not the newest?
-#
-# <details><summary>Answers</summary>
-#
-# 1. A root; one.
-# 2. `map → odom`, and no other.
-# 3. The scan's own, because the robot has moved since the measurement.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. 부모가 없는 좌표계를 무엇이라고 합니까? 정상인 로봇에는 몇 개 있습니까?
-# 2. 위치 추정 노드가 포즈를 20 cm 바로잡습니다. 어느 연결이 바뀝니까?
-# 3. RViz는 스캔을 어느 시각의 변환으로 그립니까? 왜 최신 변환을 쓰지 않습니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 루트이고, 하나입니다.
-# 2. `map → odom`뿐입니다.
-# 3. 스캔의 측정 시각입니다. 측정한 뒤에 로봇이 움직였기 때문입니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="from-before-notes" slide="notes"
-# For home; the second one aloud if a minute is left.
-
-# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
-# 집에서 합니다. 1분이 남으면 둘째 문제만 소리 내어 풉니다.
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q9
-#
-# What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot show.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] `view_frames` draws the tree of the last five seconds: parents, the rate and the ages of each edge.
-# - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, the latest one, again and again.
-# - [ ] `tf2_monitor` measures how late a path and its frames are (`max`, not the first `avg`).
-# - [ ] None of them names the owner of an edge; `topic info --verbose` names the nodes on the topic.
-# - [ ] Each is a sample: what happens between two samples is not shown. For an extra point: a value that is printed need not be true.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q9
-#
-# `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 알 수 없는 것까지 네다섯 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 발행률과 시각이 나옵니다.
-# - [ ] `tf2_echo A B`는 한 쌍의 값, 곧 A 기준 B의 최신 포즈를 되풀이해 출력합니다.
-# - [ ] `tf2_monitor`는 경로와 좌표계의 지연을 잽니다(첫 `avg`가 아니라 `max`).
-# - [ ] 연결의 발행자가 어느 노드인지는 어느 도구로도 알 수 없습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
-# - [ ] 모두 띄엄띄엄 조회할 뿐이라서, 그 사이에 일어난 일은 보이지 않습니다. 그리고 출력된 값이 맞는 값이라는 보장은 없습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice-notes" slide="notes"
-# Written at home. What each tool cannot show is worth as much as what it shows.
-
-# %% [markdown] lang="ko" name="practice-notes" slide="notes"
-# 집에서 씁니다. 도구로 알 수 있는 것만큼 알 수 없는 것도 중요합니다.
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -971,12 +882,158 @@ graph.stop()
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분 동안 말없이 적습니다. 명령 두 개와 저마다 비교할 것입니다. 실습 전에 걷습니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), about which node owns an edge, and what is broken.
-# In the exercises, `solution("E11.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now choose a tool by its question, read what the tools print, and check what RViz's Ok leaves open.
+#
+# **Now the exercises:** [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb). In them, `solution("E11.1")` shows a solution after you have passed the task or tried three times.
+# After them comes [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb): which node owns an edge, and what is broken.
+#
+# The sections below are for the curious: three more faults in RViz, and questions to practise.
+#
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 질문에 맞는 도구를 고르고, 도구의 출력을 읽고, RViz의 Ok로 알 수 없는 것을 직접 확인할 수 있습니다.
+#
+# **이제 연습 문제입니다.** [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀어 보세요. 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다.
+# 그다음은 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)입니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
+#
+# 아래는 더 알고 싶을 때 보는 절입니다. RViz의 다른 고장 세 가지와 복습 문제가 있습니다.
+#
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
+
+# %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
+# ## More faults in RViz: no joints, no odometry, two owners
+#
+# First, no node publishes the joint positions any more. **Predict** each time: which displays fail?
+
+# %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
+# ## RViz의 다른 고장: 관절 값 없음, 오도메트리 없음, 발행자 둘
+#
+# 먼저 관절 값을 발행하는 노드가 없을 때입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.**
+
+# %% name="break-joints" tags=["predicted", "collapsed"]
+lesson.start_robot()
+lesson.stop_node('joint_driver')
+lesson.draw_rviz()
+
+# %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
+# RobotModel counts 7 errors, TF only 3 warnings. TF lists the frames that it has *received*; RobotModel lists the links *in the URDF*. The scan is not affected: no joint that moves is between `map` and `laser_frame`.
+
+# %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
+# RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *받은* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 정상입니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
+
+# %% [markdown] lang="en" name="break-odometry-predict"
+# Next, the wheel odometry stops, and RViz is opened a while later.
+
+# %% [markdown] lang="ko" name="break-odometry-predict"
+# 다음은 바퀴 오도메트리 노드가 멈추고, 조금 뒤에 RViz를 엽니다.
+
+# %% name="break-odometry" tags=["predicted", "collapsed"]
+lesson.start_robot().run(seconds=5)
+lesson.stop_node('wheel_odometry')
+lesson.draw_rviz()
+
+# %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
+# This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
+
+# %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
+# `not part of the same tree`는 원인을 알려 주는 오류입니다. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
+
+# %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
+# And the one without a red line: the EKF publishes `odom → base_footprint`, too. RViz draws the robot here, then there; every single lookup is Ok. The list cannot show it, but lookups twenty times a second can:
+
+# %% [markdown] lang="ko" name="break-ekf-predict" slide="subslide"
+# 그리고 오류 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 발행합니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 그때마다 Ok입니다. 목록에 나오지 않는 것도 1초에 스무 번 조회하면 드러납니다.
+
+# %% name="break-ekf-robot" tags=["predicted", "collapsed"] slide="skip"
+graph = lesson.start_robot(also=['ekf_filter_node'])
+graph.run(seconds=25.5)
+
+# %% name="break-ekf" tags=["predicted"]
+# %ros2 --for 0.25 run tf2_ros tf2_echo odom base_footprint 20
+
+# %% [markdown] lang="en" name="break-ekf-seen" tags=["predicted"]
+# x alternates by 0.15 m and the yaw by 11°: the wheel odometry drifts to one side, the EKF does not. Each value alone is valid.
+
+# %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
+# x는 0.15 m, yaw는 11°씩 오락가락합니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
+
+# %% name="stop" tags=["collapsed"] slide="skip"
+graph.stop()
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ## Three questions from earlier chapters
+#
+# 1. A frame without a parent: what is it called, and how many of them has a healthy robot?
+# 2. The localiser corrects the pose by 20 cm. Which edge changes?
+# 3. Which stamp does RViz use to place a scan, and why not the newest?
+#
+# <details><summary>Answers</summary>
+#
+# 1. A root; one.
+# 2. `map → odom`, and no other.
+# 3. The scan's own, because the robot has moved since the measurement.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 1. 부모가 없는 좌표계를 무엇이라고 합니까? 정상인 로봇에는 몇 개 있습니까?
+# 2. 위치 추정 노드가 포즈를 20 cm 바로잡습니다. 어느 연결이 바뀝니까?
+# 3. RViz는 스캔을 어느 시각의 변환으로 그립니까? 왜 최신 변환을 쓰지 않습니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 루트이고, 하나입니다.
+# 2. `map → odom`뿐입니다.
+# 3. 스캔의 측정 시각입니다. 측정한 뒤에 로봇이 움직였기 때문입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="from-before-notes" slide="notes"
+# For home; the second one aloud if a minute is left.
+
+# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
+# 집에서 합니다. 1분이 남으면 둘째 문제만 소리 내어 풉니다.
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ## Practice question · Q9
+#
+# What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot show.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] `view_frames` draws the tree of the last five seconds: parents, the rate and the ages of each edge.
+# - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, the latest one, again and again.
+# - [ ] `tf2_monitor` measures how late a path and its frames are (`max`, not the first `avg`).
+# - [ ] None of them names the owner of an edge; `topic info --verbose` names the nodes on the topic.
+# - [ ] Each is a sample: what happens between two samples is not shown. For an extra point: a value that is printed need not be true.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ## 서술형 문제 · Q9
+#
+# `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 알 수 없는 것까지 네다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 발행률과 시각이 나옵니다.
+# - [ ] `tf2_echo A B`는 한 쌍의 값, 곧 A 기준 B의 최신 포즈를 되풀이해 출력합니다.
+# - [ ] `tf2_monitor`는 경로와 좌표계의 지연을 잽니다(첫 `avg`가 아니라 `max`).
+# - [ ] 연결의 발행자가 어느 노드인지는 어느 도구로도 알 수 없습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
+# - [ ] 모두 띄엄띄엄 조회할 뿐이라서, 그 사이에 일어난 일은 보이지 않습니다. 그리고 출력된 값이 맞는 값이라는 보장은 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice-notes" slide="notes"
+# Written at home. What each tool cannot show is worth as much as what it shows.
+
+# %% [markdown] lang="ko" name="practice-notes" slide="notes"
+# 집에서 씁니다. 도구로 알 수 있는 것만큼 알 수 없는 것도 중요합니다.

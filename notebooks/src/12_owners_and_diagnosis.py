@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 12 · Owners and diagnosis
 #
-# **Which node publishes what?** · about 60 minutes, and the clinic as long as you like · builds on 05, 06, 07, 09, 10 and 11
+# **Which node publishes what?** · about 45 minutes, and the clinic as long as you like · builds on 05, 06, 07, 09, 10 and 11
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 12 · 발행 책임과 진단
 #
-# **어느 노드가 무엇을 발행할까요?** · 약 60분, 진단 연습은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
+# **어느 노드가 무엇을 발행할까요?** · 약 45분, 진단 연습은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -85,7 +85,7 @@ from tflab.workbook import lesson
 # %% name="my-guess" slide="skip"
 before, after, between = ..., ..., ...
 
-# %% name="two-owners" slide="skip"
+# %% name="two-owners" tags=["collapsed"] slide="skip"
 graph = lesson.new_graph()
 robot = lesson.TeachingRobot()
 lesson.launch(graph, robot, only=["robot_state_publisher", "joint_driver", "wheel_odometry", "localization"])
@@ -102,11 +102,11 @@ graph.run(seconds=20.0)
 
 # %% [markdown] lang="en" name="count-seen" tags=["predicted"]
 # Four before, four after. `topic info` counts all publishers on `/tf`, whether they send or not. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
-# The edge itself proves it: its rate, and whether it changes smoothly.
+# The edge itself proves it: its rate, and whether it changes smoothly. The next cells store the tree with a listener; `count_edge()` lets the robot drive for four seconds and counts the samples of this edge.
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
 # 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 실제로 보내든 보내지 않든 `/tf`의 발행기를 모두 셉니다. 필터의 발행기는 남아 있고, 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자가 있다는 증거도, 고쳐지지 않았다는 증거도 아닙니다.
-# 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다.
+# 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다. 다음 셀의 수신기가 변환을 버퍼에 모읍니다. `count_edge()`는 로봇이 4초 동안 달리게 하고 이 연결의 표본을 셉니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
 # Let those who said “one fewer” explain why. They think of messages. But `topic info` counts publishers, just as a telephone book lists telephones and not calls. Then ask: what would show the messages? Wait for “the rate of the edge”.
@@ -116,39 +116,41 @@ graph.run(seconds=20.0)
 
 # %% name="listen" slide="skip"
 import rclpy
+from geometry_msgs.msg import TransformStamped
 from rclpy.node import Node
-from tf2_ros import Buffer, TransformListener
+from rclpy.time import Time
+from tf2_ros import Buffer, TransformBroadcaster, TransformListener
 
 rclpy.init()
 node = Node("asker")
 buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 
-
+# %% name="count-edge" tags=["collapsed"] slide="skip"
 def count_edge(seconds=4.0):
     buffer.clear()
     graph.run(seconds=seconds)
     stamps = buffer.core.history("base_footprint").stamps_ns  # `.core` is ours: ROS's Buffer does not list its samples
     print(f"odom -> base_footprint: {len(stamps) / seconds:.1f} a second")
 
-
 # %% name="rates" tags=["predicted"] slide="fragment"
 count_edge()
 # %ros2 param set /ekf_filter_node publish_tf true
 count_edge()
 
-# %% name="between" tags=["predicted"]
+# %% name="neighbours" tags=["predicted", "collapsed"] slide="skip"
 from itertools import pairwise
 
-from rclpy.time import Time
-
 history = buffer.core.history("base_footprint")
-moments = list(zip(history.stamps_ns, history.transforms, strict=True))[-12:]
-pairs = [(a, b) for a, b in pairwise(moments) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
-(first, one), (then, other) = pairs[0]
-half = buffer.lookup_transform("odom", "base_footprint", Time(nanoseconds=(first + then) // 2)).transform.translation
-places = (("one owner", one.translation), ("in between", (half.x, half.y)), ("the other", other.translation))
-for name, (x, y, *_) in places:
+samples = list(zip(history.stamps_ns, history.transforms, strict=True))[-12:]
+apart = [(a, b) for a, b in pairwise(samples) if abs(a[1].translation[0] - b[1].translation[0]) > 0.08]
+(first, one), (then, other) = apart[0]  # the stamps of two neighbours [ns], and their transforms
+
+# %% name="between" tags=["predicted"]
+middle = Time(nanoseconds=(first + then) // 2)  # the two stamps are of one owner and of the other
+half = buffer.lookup_transform("odom", "base_footprint", middle).transform.translation
+places = (("one owner", one.translation[:2]), ("in between", (half.x, half.y)), ("the other", other.translation[:2]))
+for name, (x, y) in places:
     print(f"{name:<11} x {x:.3f}  y {y:.3f}")
 
 # %% [markdown] lang="en" name="between-seen" tags=["predicted"]
@@ -183,7 +185,7 @@ for name, (x, y, *_) in places:
 # | slam_toolbox | `transform_publish_period: 0.0` |
 # | rtabmap | `publish_tf` |
 
-# %% name="owner-table" slide="fragment"
+# %% name="owner-table" tags=["collapsed"] slide="fragment"
 lesson.draw_owners(
     [
         ("map -> odom", "localization", "scan, map", "tf_broadcast", "10.2 Hz"),
@@ -196,44 +198,16 @@ lesson.draw_owners(
 )
 
 # %% [markdown] lang="en" name="owner-seen"
-# `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong. You need to know the normal state to notice a fault.
+# `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong; an empty one to print is near the end of the page. You need to know the normal state to notice a fault.
 #
 # If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. It prints `<no authority available>` for each frame and each node. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 좌표계와 노드의 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
-# %% [markdown] lang="en" name="owner-blank" slide="skip"
-# <details><summary>To print: the table of your own robot, with five usual edges</summary>
-#
-# | edge | usual owner | made of | our node | its switch, on or off | rate |
-# |---|---|---|---|---|---|
-# | `map → odom` | AMCL, SLAM, localisation | map and sensors | | | |
-# | `odom → base_link` | EKF or odometry | encoders, IMU, visual odometry | | | |
-# | `base_link → sensor` | robot_state_publisher | fixed joints of the URDF | | | static |
-# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
-# | `earth → map`, or a fleet's frame | localisation, fleet manager | GNSS, a survey | | | |
-# | | | | | | |
-#
-# </details>
-
-# %% [markdown] lang="ko" name="owner-blank" slide="skip"
-# <details><summary>인쇄용: 강의 24절의 다섯 연결로 만드는 여러분 로봇의 표</summary>
-#
-# | 연결 | 흔한 발행자 | 데이터 | 우리 노드 | 스위치(켬/끔) | 발행률 |
-# |---|---|---|---|---|---|
-# | `map → odom` | AMCL, SLAM, 위치 추정 | 지도와 센서 | | | |
-# | `odom → base_link` | EKF 또는 오도메트리 | 인코더, IMU, 비주얼 오도메트리 | | | |
-# | `base_link → sensor` | robot_state_publisher | URDF의 고정 관절 | | | static |
-# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
-# | `earth → map`, 또는 여러 로봇의 공통 좌표계 | 위치 추정, 관제 시스템 | GNSS, 측량 | | | |
-# | | | | | | |
-#
-# </details>
-
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
-# Fourteen minutes, most of them at the board: an empty table, one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
+# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
 # 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보여 줍니다.
@@ -298,7 +272,7 @@ for _ in range(6):
 # %% [markdown] lang="ko" name="stop-one-notes" slide="notes"
 # 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 오도메트리 노드 없이, 위치 추정 노드 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
 
-# %% name="stop-one-look" tags=["predicted"] slide="fragment"
+# %% name="stop-one-look" tags=["predicted", "collapsed"] slide="fragment"
 for name in ("ekf_filter_node", "wheel_odometry", "localization"):
     lesson.stop_node(name)
     print(f"without {name:<16}", end=" ")
@@ -327,7 +301,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # %% [markdown] lang="ko" name="another-edge-notes" slide="notes"
 # 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 무엇입니까? “번갈아 둘”이라는 답이 나오게 합니다.
 
-# %% name="another-edge-look" tags=["predicted"] slide="fragment"
+# %% name="another-edge-look" tags=["predicted", "collapsed"] slide="fragment"
 for name in ("ekf_filter_node", "localization"):
     lesson.stop_node(name)
 graph.run(seconds=0.03)
@@ -345,7 +319,7 @@ print(looks)
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
 # `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇의 부모는 `map`이고 `odom`은 트리에서 떨어지며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
-# %% name="stop-two" slide="skip"
+# %% name="stop-two" tags=["collapsed"] slide="skip"
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -353,20 +327,20 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="experiments" slide="slide"
 # ## Experiments A, B, C
 #
-# There are three experiments, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
+# The lecture (section 23) breaks a tree on purpose. A: everything right. B: the parent misspelt. C: two owners of one edge.
 # Do them in simulation only, and stop every process afterwards, because a robot would move according to what they publish.
 
 # %% [markdown] lang="ko" name="experiments" slide="slide"
 # ## 강의의 실험 A, B, C
 #
-# 강의 23절에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
+# 강의 23절에는 일부러 트리를 끊어 보는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
 # 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환에 따라 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
-# A takes a minute. Ask whether 2e+08 Hz is a fault. Before B ask: what is the first line of the tool about, and what is the second about? Before C ask: 1.000, 2.000, or an error?
+# A takes a minute. Ask whether 2e+08 Hz is a fault. Before B ask: what is the first line of the tool about, and what is the second about? Before the static C ask: 1.000, 2.000, or an error? Before the two processes let them draw forty digits for each pair of rates.
 
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
-# A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
+# A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. 정적 C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다. 두 프로세스로 하기 전에는 발행률마다 숫자가 어떻게 늘어설지 적게 합니다.
 
 # %% name="experiment-a" slide="subslide"
 graph = lesson.new_graph()
@@ -394,34 +368,111 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
 
-# %% name="experiment-b-rviz" slide="subslide"
+# %% name="experiment-b-rviz" tags=["collapsed"] slide="subslide"
 lesson.draw_rviz()
 
 # %% name="experiment-c" slide="subslide"
 graph = lesson.new_graph()
-# %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id map --child-frame-id base_link
-# %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id map --child-frame-id base_link
-# %ros2 --for 1 run tf2_ros tf2_echo map base_link
+# %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id odom --child-frame-id base_link
+# %ros2 run tf2_ros static_transform_publisher --x 2 --frame-id odom --child-frame-id base_link
+# %ros2 --for 1 run tf2_ros tf2_echo odom base_link
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="experiment-c-seen"
-# C: 2.000, from the publisher that was received last, and no message about the other. A listener that receives the two messages in the other order gets 1.000. Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
-# A robot with two *dynamic* publishers of `odom → base_link` trembles. You saw that above, with the wheel odometry and the filter. With two static publishers nothing trembles, and that makes them harder to find.
+# C, first with two static publishers: 2.000, from the publisher that was received last, and no message about the other. A listener that receives the two in the other order gets 1.000. **Nothing trembles, because each publisher sends once and tf2 keeps one value for a static edge.** Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
-# 강의의 로봇은 `odom → base_link`를 두 노드가 *동적으로* 발행해서 떨립니다. 앞에서 바퀴 오도메트리와 필터로 본 것과 같습니다. 정적 변환 둘은 떨리지 않아서 찾기가 더 어렵습니다.
+# 먼저 정적 발행자 둘로 한 C입니다. 2.000은 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 1.000이 남습니다. **발행자마다 한 번만 보내고 tf2는 정적 연결에 값을 하나만 두므로, 아무것도 떨리지 않습니다.** 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
+
+# %% [markdown] lang="en" name="experiment-c-twice" slide="subslide"
+# ### C with two processes that keep publishing
+#
+# The lecture's robot trembles in RViz. So its two processes must publish again and again, as `Odometry` does: a fixed pose, `rate_hz` times a second. `two_processes(20, 30)` starts one with x = 1 and one with x = 2, 13 ms apart. Then it looks up `odom → base_link` forty times, 20 times a second like `tf2_echo odom base_link 20`, and prints x.
+#
+# **Predict:** which digits do you see at 20 and 20 Hz, and which at 20 and 30 Hz?
+
+# %% [markdown] lang="ko" name="experiment-c-twice" slide="subslide"
+# ### 계속 발행하는 두 프로세스로 하는 C
+#
+# 강의의 로봇은 RViz에서 떨립니다. 그러려면 두 프로세스가 계속 발행해야 합니다. 아래의 `Odometry`가 그런 노드이고, 정해진 포즈를 1초에 `rate_hz`번 발행합니다. `two_processes(20, 30)`은 x가 1인 노드와 2인 노드를 13 ms 간격으로 시작합니다. 그런 다음 `tf2_echo odom base_link 20`처럼 20 Hz로 마흔 번 조회해 x를 출력합니다.
+#
+# **예측해 봅시다.** 20 Hz와 20 Hz이면 어떤 숫자가 늘어설까요? 20 Hz와 30 Hz이면 어떨까요?
+
+# %% name="odometry-node" slide="-"
+class Odometry(Node):
+    def __init__(self, name, x, rate_hz):
+        super().__init__(name)
+        self.x = x
+        self.broadcaster = TransformBroadcaster(self)
+        self.create_timer(1.0 / rate_hz, self.tick)
+
+    def tick(self):
+        t = TransformStamped()
+        t.header.stamp = self.get_clock().now().to_msg()
+        t.header.frame_id, t.child_frame_id = "odom", "base_link"
+        t.transform.translation.x, t.transform.rotation.w = self.x, 1.0
+        self.broadcaster.sendTransform(t)
+
+# %% name="two-processes" tags=["collapsed"] slide="skip"
+def two_processes(*rates_hz):
+    graph = lesson.new_graph()
+    for name, x, rate_hz in zip(("wheels", "ekf"), (1.0, 2.0), rates_hz, strict=True):
+        lesson.run_node(lambda name=name, x=x, rate_hz=rate_hz: Odometry(name, x, rate_hz), 0.013)
+    rclpy.init()
+    buffer, viewer, found = Buffer(), Node("viewer"), []
+    listener = TransformListener(buffer, viewer, spin_thread=True)
+    graph.run(seconds=1.0)
+    for _ in range(40):
+        graph.run(seconds=0.05)
+        found.append(f"{buffer.lookup_transform('odom', 'base_link', Time()).transform.translation.x:.0f}")
+    listener.unregister()
+    rclpy.shutdown()
+    print(*found)
+
+# %% name="experiment-c-equal" tags=["predicted"] slide="fragment"
+two_processes(20, 20)  # Hz
+
+# %% name="experiment-c-unequal" tags=["predicted"] slide="fragment"
+two_processes(20, 30)
+
+# %% [markdown] lang="en" name="experiment-c-twice-seen" tags=["predicted"]
+# At 20 and 30 Hz, 1 and 2 alternate: RViz draws the robot here, then there, and it trembles. At equal rates every lookup returns 2, because the two keep their phase and the same process is always the last to send. **That is why a test on the bench finds no second owner.** On a robot the rates are seldom equal for long. Try `two_processes(20, 20.1)`: seconds of one value, then seconds of the other.
+#
+# The rate of the edge shows the second owner in each of these cases: 40 or 50 messages a second, where 20 are expected.
+
+# %% [markdown] lang="ko" name="experiment-c-twice-seen" tags=["predicted"]
+# 20 Hz와 30 Hz에서는 1과 2가 번갈아 나옵니다. RViz는 로봇을 여기 그렸다가 저기 그리므로 로봇이 떨립니다. 발행률이 같으면 조회할 때마다 2입니다. 두 노드의 위상이 그대로라서 늘 같은 노드가 나중에 발행하기 때문입니다. **그래서 실험실에서 시험할 때는 두 번째 발행자를 찾지 못합니다.** 실제 로봇에서 두 발행률이 오래 똑같은 일은 드뭅니다. `two_processes(20, 20.1)`도 실행해 보세요. 몇 초 동안 한 값이 나오다가, 다음 몇 초 동안은 다른 값이 나옵니다.
+#
+# 어느 경우든 연결의 발행률에는 두 번째 발행자가 드러납니다. 20 Hz여야 할 연결이 40 Hz나 50 Hz입니다.
 
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
 #
-# A usual order of checks has six steps: names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But a fixed order is slow, because it does not use the complaint.
+# The lecture's order of checks (section 27) has six steps:
+#
+# 1. the names of the frames, and RViz's Fixed Frame,
+# 2. `view_frames`: is the tree in one piece?
+# 3. `tf2_echo`: the value of the edge or path that looks wrong,
+# 4. `tf2_monitor`: delays and rates (the lecture adds the owner, but ROS 2 prints none),
+# 5. the message: its `frame_id`, its stamp, its clock,
+# 6. the URDF, the switches of the publishers, second owners.
+#
+# They go from cheap and coarse to expensive and fine, and they find everything. But a fixed order is slow, because it does not use the complaint.
 # Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: which check would give different results for them?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 좋은 검사는 용의자를 많이 지웁니다
 #
-# 강의 27절의 여섯 단계는 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 빠르고 대략적인 검사에서 오래 걸리고 세밀한 검사로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
+# 강의 27절의 진단 순서는 여섯 단계입니다.
+#
+# 1. 좌표계 이름과 RViz의 고정 좌표계(Fixed Frame)를 확인합니다.
+# 2. `view_frames`로 트리가 하나로 연결되어 있는지 봅니다.
+# 3. `tf2_echo`로 의심스러운 연결이나 경로의 값을 봅니다.
+# 4. `tf2_monitor`로 지연과 발행률을 봅니다. (강의에는 발행자도 있지만, ROS 2에서는 이름이 나오지 않습니다.)
+# 5. 메시지의 `frame_id`와 측정 시각, 그리고 시계를 봅니다.
+# 6. URDF, 발행 스위치, 두 번째 발행자를 확인합니다.
+#
+# 빠르고 대략적인 검사에서 오래 걸리고 세밀한 검사로 가는 순서이고, 끝까지 하면 원인을 찾습니다. 하지만 증상을 쓰지 않고 순서만 따르면 느립니다.
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리의 발행률이 낮습니다**. 명령을 입력하기 전에 생각해 보세요. 용의자마다 결과가 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
@@ -430,7 +481,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="stop-guessing-notes" slide="notes"
 # 검사를 제안받되, 세 용의자마다 어떤 결과가 나올지 말할 수 있을 때만 적습니다. 셋의 결과가 같은 검사는 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
 
-# %% name="columns" slide="fragment"
+# %% name="columns" tags=["collapsed"] slide="fragment"
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
@@ -440,10 +491,10 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓입니다. 행이 하나만 남고 그동안 카드와 다른 결과가 하나라도 나왔으면, 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
+# Two people now diagnose the eighteen simulated robots of the clinic, the exercise of the next section. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 아래 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
+# 이제 두 사람이 다음 절에 나오는 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The order is not wrong: it is safe, it teaches, and it finds everything. It just does not use what you already know.
@@ -451,7 +502,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # %% [markdown] lang="ko" name="two-ways-notes" slide="notes"
 # 먼저 두 평균을 짐작하게 합니다. 순서가 틀렸다는 이야기가 아닙니다. 순서는 안전하고, 배우기 좋고, 모두 찾아냅니다. 다만 이미 아는 것을 쓰지 않을 뿐입니다.
 
-# %% name="both-ways" tags=["predicted"] slide="fragment"
+# %% name="both-ways" tags=["predicted", "collapsed"] slide="fragment"
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
@@ -544,161 +595,6 @@ visit.try_fix()
 
 # %% [markdown] lang="ko" name="cure-seen"
 # 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라졌다고 고친 것은 아닙니다.
-
-# %% [markdown] lang="en" name="film-intro" slide="subslide"
-# The whole visit once more, step by step. Choose a step, or use the arrow keys. You can replay your own visits in the same way.
-
-# %% [markdown] lang="ko" name="film-intro" slide="subslide"
-# 진료 전체를 한 단계씩 다시 봅시다. 단계를 고르거나 화살표 키로 넘겨 보세요. 여러분의 진료도 이렇게 볼 수 있습니다.
-
-# %% name="film" tags=["interactive"]
-lesson.visit_panel(visit)
-
-# %% name="film-still" tags=["static"]
-lesson.draw_visit(visit)
-
-# %% [markdown] lang="en" name="film-seen"
-# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows. RViz reports Ok everywhere in both, but `delay /scan` has the normal value of the card only in one.
-
-# %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 검사 결과가 그 용의자와 맞지 않는 지점에서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
-#
-# 마지막 두 줄을 비교해 보세요. RViz는 둘 다 모두 Ok이지만, `delay /scan`의 결과가 카드와 같은 것은 한 줄뿐입니다.
-
-# %% [markdown] lang="en" name="film-notes" slide="notes"
-# Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
-
-# %% [markdown] lang="ko" name="film-notes" slide="notes"
-# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막 단계를 보여 줍니다.
-
-# %% [markdown] lang="en" name="faded" slide="slide"
-# ## Half with help: it jumps
-#
-# Two checks are given (`take` is `ask` without the costs); you name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
-
-# %% [markdown] lang="ko" name="faded" slide="slide"
-# ## 반만 도움받기: 로봇이 튑니다
-#
-# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
-
-# %% [markdown] lang="en" name="faded-notes" slide="notes"
-# Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
-
-# %% [markdown] lang="ko" name="faded-notes" slide="notes"
-# 둘씩 5분 동안 합니다. 한 사람은 검사하고, 한 사람은 목록에서 용의자를 지웁니다. 다음 환자에서는 역할을 바꿉니다.
-
-# %% name="faded-visit" tags=["translated"]
-jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
-
-# %% name="faded-checks" slide="subslide"
-lines = jumps.take("echo odom base_footprint").splitlines()
-print(*[line for line in lines if line.startswith(("At time", "- Translation"))][:12], sep="\n")
-print("", jumps.take("node list"), sep="\n")
-
-# %% name="faded-yours"
-my_cause = ...  # 'two owners of one edge', 'localizer owns the base' or 'nothing is wrong'
-if my_cause is not ...:
-    jumps.say(cause=my_cause, frame="base_footprint", owner="ekf_filter_node", fix="ekf_filter_node: publish_tf false")
-    jumps.try_fix()
-
-# %% [markdown] lang="en" name="alone" slide="slide"
-# ## Alone
-#
-# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. In the panel you do the same as with the calls: choose a check, choose the suspect that it is about, and make the check. Then choose a cause and a fix, and try the fix. `lesson.answer_of(7)` returns the answer. Look at it last.
-
-# %% [markdown] lang="ko" name="alone" slide="slide"
-# ## 혼자서
-#
-# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 의심하는 용의자를 정하고, 검사를 실행해 보세요. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보십시오.
-
-# %% name="panel" tags=["interactive"] slide="skip"
-lesson.clinic_panel(lesson.practice_patient(7))
-
-# %% name="panel-still" tags=["static"]
-lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
-
-# %% [markdown] lang="en" name="panel-seen" slide="skip"
-# The static version: four checks of the same patient, what each cost, and which suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, and added nothing.
-
-# %% [markdown] lang="ko" name="panel-seen" slide="skip"
-# *그림 읽기:* 같은 환자에게 한 검사 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대에서는 새로 알게 된 것이 없습니다.
-
-# %% [markdown] lang="en" name="second" slide="subslide"
-# And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it (`tflab doctor`, a program that looks for TF problems), as soon as you have named a suspect.
-
-# %% [markdown] lang="ko" name="second" slide="subslide"
-# 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 `tflab doctor`로 진단합니다.
-
-# %% name="second-opinion" tags=["translated"] slide="-"
-my_suspect = ...  # one of the three
-lesson.second_opinion(7, my_suspect)
-
-# %% [markdown] lang="en" name="second-seen"
-# Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your results, and which of your checks did it not need?
-
-# %% [markdown] lang="ko" name="second-seen"
-# 비교해 보세요. doctor는 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? doctor가 출력한 문장 가운데 여러분의 검사 결과로도 쓸 수 있었던 것은 무엇입니까? doctor에는 필요 없었던 검사는 무엇입니까?
-
-# %% [markdown] lang="en" name="alone-notes" slide="notes"
-# In pairs, 45 minutes together with E12.4. One types; the other gives the reason before each check. Change roles with each patient.
-
-# %% [markdown] lang="ko" name="alone-notes" slide="notes"
-# 둘씩, E12.4까지 45분입니다. 한 사람은 입력하고 한 사람은 검사마다 까닭을 먼저 말합니다. 환자가 바뀌면 역할도 바꿉니다.
-
-# %% [markdown] lang="en" name="suspects" slide="skip"
-# For reference, without a panel: the six complaints with their suspects, and for one complaint the results of the checks that can tell its suspects apart. `lesson.show_findings()` prints the results for all eighteen suspects. E12.7 shows them, too.
-
-# %% [markdown] lang="ko" name="suspects" slide="skip"
-# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상의 용의자를 가려낼 수 있는 검사의 결과입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
-
-# %% name="suspects-words" tags=["translated"] slide="skip"
-lesson.show_suspects()
-
-# %% name="findings-words" tags=["translated"] slide="skip"
-lesson.show_findings("flickers")
-
-# %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: two causes
-#
-# Some robots of the clinic have two faults (`lesson.night_shift`). **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
-
-# %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 일부러 고장 내기: 원인이 둘
-#
-# 이번 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
-
-# %% [markdown] lang="en" name="break-it-notes" slide="notes"
-# Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
-
-# %% [markdown] lang="ko" name="break-it-notes" slide="notes"
-# 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 예측과 비교합니다.
-
-# %% name="night" tags=["predicted", "translated"] slide="subslide"
-night = lesson.admit(lesson.night_shift(4))
-
-# %% name="night-fix" tags=["predicted", "translated"] slide="subslide"
-night.take("node list")
-night.take("use_sim_time")
-night.say(cause="localizer not running", frame="odom", owner="localization", fix="start localization")
-night.try_fix()
-
-# %% [markdown] lang="en" name="night-seen" tags=["predicted"]
-# The first cause is gone, RViz is all Ok, and the scan is off the walls. The second fault was there all along, and could not be seen. Fix one, and examine again from the beginning.
-
-# %% [markdown] lang="ko" name="night-seen" tags=["predicted"]
-# 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
-
-# %% [markdown] lang="en" name="doctor" slide="subslide"
-# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a wrong frame that exists. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.
-
-# %% [markdown] lang="ko" name="doctor" slide="subslide"
-# 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 `tflab doctor`로 진단하면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
-
-# %% [markdown] lang="en" name="doctor-notes" slide="notes"
-# Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
-
-# %% [markdown] lang="ko" name="doctor-notes" slide="notes"
-# 학생들이 둘씩 직접 진단해 본 다음에 보여 줍니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -829,82 +725,6 @@ night.try_fix()
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
 # 사진으로 찍게 합니다. 마지막 줄은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고, 비상 정지 버튼은 손에 쥡니다.
 
-# %% [markdown] lang="en" name="ten" slide="skip"
-# <details><summary>For reference: ten symptoms, and the first check of each</summary>
-#
-# | you see | likely | first check | chapter |
-# |---|---|---|---|
-# | no Fixed Frame | misspelt, or no node publishes it | RViz's own list, `view_frames` | 11 |
-# | two frames not connected | an edge in between is missing | `view_frames`: the two roots | 04, 09 |
-# | the robot trembles | two owners | the edge's rate and `tf2_echo … 20`, then `topic info /tf --verbose` | 12 |
-# | the sensor is drawn beside the robot | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
-# | the scan smears along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
-# | future extrapolation | late transforms, or a clock ahead | `topic delay`: its sign; `/clock` | 09, 12 |
-# | past extrapolation | slow processing, or a short buffer | the message's age compared with the cache time | 08, 09 |
-# | it fails with a bag only | `/tf`, `/tf_static` or `/clock` missing | `ros2 bag info`, and `--clock` | 10 |
-# | several robots' frames mixed up | prefix and namespace disagree | the whole tree in `view_frames` | 04 |
-# | off by 90° or 180° | axes, rpy, the order of a quaternion | the URDF's rpy, the axes in RViz | 02, 07 |
-#
-# </details>
-
-# %% [markdown] lang="ko" name="ten" slide="skip"
-# <details><summary>찾아보기: 강의의 열 가지 증상(28절)과 먼저 할 확인</summary>
-#
-# | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
-# |---|---|---|---|
-# | Fixed Frame 없음 | 잘못 입력했거나 아무도 발행하지 않음 | RViz의 목록, `view_frames` | 11 |
-# | 두 좌표계가 연결되지 않음 | 사이의 연결이 빠짐 | `view_frames`의 두 루트 | 04, 09 |
-# | 로봇이 떨림 | 발행자가 둘 | 연결의 발행률과 `tf2_echo … 20`, 이어서 `topic info /tf --verbose` | 12 |
-# | 센서가 몸체에서 떨어져 보임 | 장착 변환의 값 | `tf2_echo base_link laser_frame`, URDF의 origin | 07, 11 |
-# | 센서 자취가 벽에 번짐 | 측정 시각, 지연된 오도메트리 | `topic delay /scan`, 그다음 `tf2_monitor`(스캔은 보지 못함) | 11 |
-# | 미래 외삽 | 지연된 변환, 앞선 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
-# | 과거 외삽 | 느린 처리, 짧은 버퍼 | 메시지의 나이와 보관 시간 | 08, 09 |
-# | bag에서만 실패 | `/tf`, `/tf_static`, `/clock`이 없음 | `ros2 bag info`, `--clock` | 10 |
-# | 여러 로봇의 좌표계가 섞임 | 접두사와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
-# | 방향이 90°나 180° 틀림 | 축, rpy, 쿼터니언의 순서 | URDF의 rpy, RViz의 축 | 02, 07 |
-#
-# </details>
-
-# %% [markdown] lang="en" name="twelve" slide="skip"
-# <details><summary>Deeper: twelve common mistakes, the patient that has each, and the remedy</summary>
-#
-# | the mistake | patient or chapter | remedy |
-# |---|---|---|
-# | numbers without a frame | header says another frame; header says base_link | fill in `header.frame_id` where the data is measured |
-# | the sensor's stamp overwritten on arrival | the workaround “stamp on arrival” | keep the stamp of the measurement |
-# | target and source swapped | chapter 03 | say "expressed in, wanted in" |
-# | a quaternion of zeros | quaternion of zeros | w = 1, or normalise |
-# | a mount published on /tf for ever | chapter 06, and E12.5 | `/tf_static`, once |
-# | a moving frame published as static, or too seldom | odometry slow | `/tf`, at the rate of its motion |
-# | one child published by several nodes | two owners of one edge; localizer owns the base | one owner, switch the others off |
-# | a longer timeout hides a wrong clock | laser clock ahead, with the workaround “timeout of 1 s” | set the clock |
-# | the pose in map used for control | nothing is wrong: it corrects | `odom` for control |
-# | a bag with sensors only | chapter 10, and E12.5 | record `/tf` and `/tf_static` |
-# | prefix and namespace mixed up | parent misspelt, and E12.5 | set both, and check the tree |
-# | “RViz shows nothing, so the sensor is broken” | every patient with “sensor broken” in the complaint | read RViz's list first |
-#
-# </details>
-
-# %% [markdown] lang="ko" name="twelve" slide="skip"
-# <details><summary>더 깊이: 강의의 열두 가지 실수(29절), 그 환자와 해결책</summary>
-#
-# | 실수 | 환자 또는 장 | 해결책 |
-# |---|---|---|
-# | 좌표계 없는 숫자 | header says another frame, header says base_link | 측정한 곳에서 `header.frame_id`를 채웁니다 |
-# | 수신 시각으로 측정 시각을 덮음 | 임시방편 “stamp on arrival” | 측정 시각을 그대로 둡니다 |
-# | 목표와 원본이 뒤바뀜 | 03장 | 원본과 목표를 문장으로 말해 봅니다 |
-# | 모두 0인 쿼터니언 | quaternion of zeros | w를 1로 두거나 정규화합니다 |
-# | 고정된 것을 /tf로 계속 보냄 | 06장, E12.5 | `/tf_static`으로 한 번 보냅니다 |
-# | 움직이는 것을 정적으로, 또는 너무 드물게 보냄 | odometry slow | 움직임에 맞는 발행률로 `/tf`에 보냅니다 |
-# | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base | 하나만 남기고 나머지는 끕니다 |
-# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 임시방편 “timeout of 1 s” | 시계를 맞춥니다 |
-# | map 기준 포즈로 제어 | nothing is wrong(보정일 뿐) | 제어에는 `odom`을 씁니다 |
-# | 센서만 기록한 bag | 10장, E12.5 | `/tf`와 `/tf_static`도 기록합니다 |
-# | 접두사와 네임스페이스를 같게 여김 | parent misspelt, E12.5 | 둘 다 정하고 트리를 확인합니다 |
-# | RViz에 안 보이면 센서 고장 | “sensor broken”부터 떠올린 모든 환자 | 먼저 RViz의 목록을 읽습니다 |
-#
-# </details>
-
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
@@ -929,8 +749,443 @@ night.try_fix()
 # %% [markdown] lang="ko" name="recap-notes" slide="notes"
 # 둘째 시간 끝의 5분입니다. 두 조가 검사 목록을 읽습니다. 어느 검사를 뺄 수 있었을까요?
 
+# %% [markdown] lang="en" name="exit-ticket" slide="slide"
+# ## Exit ticket
+#
+# > A colleague says: “I set a timeout of one second, and now RViz is green. Fixed.” Which check do you ask him to repeat, and what would the result have to be?
+#
+# <details><summary>Compare</summary>
+#
+# The one that found the fault. If it was `delay /scan`, the result has to be that of the card. As long as it is negative, the points are off the walls, although RViz is green.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
+# ## 마무리하며
+#
+# > 동료가 말합니다. “timeout을 1초로 했더니 RViz가 초록색이야. 고쳤어.” 어떤 검사를 다시 해 보라고 하겠습니까? 그 결과는 어떠해야 합니까?
+#
+# <details><summary>맞춰 보기</summary>
+#
+# 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 지연이 음수이면 RViz가 초록색이어도 점이 벽에서 어긋나 있습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
+# Two minutes, in silence, on paper. The ticket ends the first sitting.
+
+# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
+# 2분 동안 말없이 쪽지에 적습니다. 첫째 시간은 여기서 끝납니다.
+
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now name the owner of each edge, recognise a second one, choose a check by what it rules out, and prove a fix.
+#
+# **Now the exercises:** [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. In them, `solution("E12.1")` shows a solution after you have passed the task or tried three times.
+# This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
+#
+# The sections below are for practice and reference: more patients of the clinic, two faults at once, experiment C on your computer, tables of symptoms and mistakes, and questions.
+#
+# On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
+
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 연결마다 누가 발행하는지 적고, 두 번째 발행자를 알아보고, 용의자를 많이 지우는 검사를 고르고, 고쳤다는 것을 증명할 수 있습니다.
+#
+# **이제 연습 문제입니다.** [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)에서 여러분의 로봇 세 대를 진단합니다. 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다.
+# 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
+#
+# 아래는 더 연습하거나 찾아볼 때 쓰는 절입니다. 진료실의 다른 환자, 원인이 둘인 환자, 여러분의 컴퓨터에서 하는 실험 C, 증상과 실수의 표, 복습 문제가 있습니다.
+#
+# 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
+
+# %% [markdown] lang="en" name="film-intro" slide="subslide"
+# ## The visit once more, step by step
+#
+# This is the whole visit of the worked example. Choose a step, or use the arrow keys. You can replay your own visits in the same way.
+
+# %% [markdown] lang="ko" name="film-intro" slide="subslide"
+# ## 진료 다시 보기: 한 단계씩
+#
+# 앞에서 한 진료 전체를 한 단계씩 다시 봅시다. 단계를 고르거나 화살표 키로 넘겨 보세요. 여러분의 진료도 이렇게 볼 수 있습니다.
+
+# %% name="film" tags=["interactive", "collapsed"]
+lesson.visit_panel(visit)
+
+# %% name="film-still" tags=["static"]
+lesson.draw_visit(visit)
+
+# %% [markdown] lang="en" name="film-seen"
+# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows. RViz reports Ok everywhere in both, but `delay /scan` has the normal value of the card only in one.
+
+# %% [markdown] lang="ko" name="film-seen"
+# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 검사 결과가 그 용의자와 맞지 않는 지점에서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+#
+# 마지막 두 줄을 비교해 보세요. RViz는 둘 다 모두 Ok이지만, `delay /scan`의 결과가 카드와 같은 것은 한 줄뿐입니다.
+
+# %% [markdown] lang="en" name="film-notes" slide="notes"
+# Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
+
+# %% [markdown] lang="ko" name="film-notes" slide="notes"
+# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막 단계를 보여 줍니다.
+
+# %% [markdown] lang="en" name="faded" slide="slide"
+# ## Half with help: it jumps
+#
+# Two checks are given (`take` is `ask` without the costs); you name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
+
+# %% [markdown] lang="ko" name="faded" slide="slide"
+# ## 반만 도움받기: 로봇이 튑니다
+#
+# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
+
+# %% [markdown] lang="en" name="faded-notes" slide="notes"
+# Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
+
+# %% [markdown] lang="ko" name="faded-notes" slide="notes"
+# 둘씩 5분 동안 합니다. 한 사람은 검사하고, 한 사람은 목록에서 용의자를 지웁니다. 다음 환자에서는 역할을 바꿉니다.
+
+# %% name="faded-visit" tags=["translated"]
+jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
+
+# %% name="faded-checks" slide="subslide"
+lines = jumps.take("echo odom base_footprint").splitlines()
+print(*[line for line in lines if line.startswith(("At time", "- Translation"))][:12], sep="\n")
+print("", jumps.take("node list"), sep="\n")
+
+# %% name="faded-yours"
+my_cause = ...  # 'two owners of one edge', 'localizer owns the base' or 'nothing is wrong'
+if my_cause is not ...:
+    jumps.say(cause=my_cause, frame="base_footprint", owner="ekf_filter_node", fix="ekf_filter_node: publish_tf false")
+    jumps.try_fix()
+
+# %% [markdown] lang="en" name="alone" slide="slide"
+# ## Alone
+#
+# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. In the panel you do the same as with the calls: choose a check, choose the suspect that it is about, and make the check. Then choose a cause and a fix, and try the fix. `lesson.answer_of(7)` returns the answer. Look at it last.
+
+# %% [markdown] lang="ko" name="alone" slide="slide"
+# ## 혼자서
+#
+# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 의심하는 용의자를 정하고, 검사를 실행해 보세요. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보십시오.
+
+# %% name="panel" tags=["interactive"] slide="skip"
+lesson.clinic_panel(lesson.practice_patient(7))
+
+# %% name="panel-still" tags=["static"]
+lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
+
+# %% [markdown] lang="en" name="panel-seen" slide="skip"
+# The figure shows four checks of the same patient, what each cost, and how many suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, and added nothing.
+
+# %% [markdown] lang="ko" name="panel-seen" slide="skip"
+# *그림 읽기:* 같은 환자에게 한 검사 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대에서는 새로 알게 된 것이 없습니다.
+
+# %% [markdown] lang="en" name="second" slide="subslide"
+# And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it (`tflab doctor`, a program that looks for TF problems), as soon as you have named a suspect.
+
+# %% [markdown] lang="ko" name="second" slide="subslide"
+# 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 `tflab doctor`로 진단합니다.
+
+# %% name="second-opinion" tags=["translated"] slide="-"
+my_suspect = ...  # one of the three
+lesson.second_opinion(7, my_suspect)
+
+# %% [markdown] lang="en" name="second-seen"
+# Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your results, and which of your checks did it not need?
+
+# %% [markdown] lang="ko" name="second-seen"
+# 비교해 보세요. doctor는 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? doctor가 출력한 문장 가운데 여러분의 검사 결과로도 쓸 수 있었던 것은 무엇입니까? doctor에는 필요 없었던 검사는 무엇입니까?
+
+# %% [markdown] lang="en" name="alone-notes" slide="notes"
+# In pairs, 45 minutes together with E12.4. One types; the other gives the reason before each check. Change roles with each patient.
+
+# %% [markdown] lang="ko" name="alone-notes" slide="notes"
+# 둘씩, E12.4까지 45분입니다. 한 사람은 입력하고 한 사람은 검사마다 까닭을 먼저 말합니다. 환자가 바뀌면 역할도 바꿉니다.
+
+# %% [markdown] lang="en" name="suspects" slide="skip"
+# For reference, without a panel: the six complaints with their suspects, and for one complaint the results of the checks that can tell its suspects apart. `lesson.show_findings()` prints the results for all eighteen suspects. E12.7 shows them, too.
+
+# %% [markdown] lang="ko" name="suspects" slide="skip"
+# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상의 용의자를 가려낼 수 있는 검사의 결과입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
+
+# %% name="suspects-words" tags=["translated"] slide="skip"
+lesson.show_suspects()
+
+# %% name="findings-words" tags=["translated"] slide="skip"
+lesson.show_findings("flickers")
+
+# %% [markdown] lang="en" name="break-it" slide="slide"
+# ## Break it: two causes
+#
+# Some robots of the clinic have two faults (`lesson.night_shift`). **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
+
+# %% [markdown] lang="ko" name="break-it" slide="slide"
+# ## 일부러 고장 내기: 원인이 둘
+#
+# 이번 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
+
+# %% [markdown] lang="en" name="break-it-notes" slide="notes"
+# Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
+
+# %% [markdown] lang="ko" name="break-it-notes" slide="notes"
+# 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 예측과 비교합니다.
+
+# %% name="night" tags=["predicted", "translated"] slide="subslide"
+night = lesson.admit(lesson.night_shift(4))
+
+# %% name="night-fix" tags=["predicted", "translated"] slide="subslide"
+night.take("node list")
+night.take("use_sim_time")
+night.say(cause="localizer not running", frame="odom", owner="localization", fix="start localization")
+night.try_fix()
+
+# %% [markdown] lang="en" name="night-seen" tags=["predicted"]
+# The first cause is gone, RViz is all Ok, and the scan is off the walls. The second fault was there all along, and could not be seen. Fix one, and examine again from the beginning.
+
+# %% [markdown] lang="ko" name="night-seen" tags=["predicted"]
+# 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
+
+# %% [markdown] lang="en" name="doctor" slide="subslide"
+# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a wrong frame that exists. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.
+
+# %% [markdown] lang="ko" name="doctor" slide="subslide"
+# 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 `tflab doctor`로 진단하면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
+
+# %% [markdown] lang="en" name="doctor-notes" slide="notes"
+# Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
+
+# %% [markdown] lang="ko" name="doctor-notes" slide="notes"
+# 학생들이 둘씩 직접 진단해 본 다음에 보여 줍니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
+
+# %% [markdown] lang="en" name="experiment-c-file" slide="skip"
+# ## Experiment C on your own computer
+#
+# Save this node, and start it twice with different parameters: two processes, one edge.
+#
+# ```python
+# # tf_lab_py/one_of_two.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class OneOfTwo(Node):
+#     """Publish odom -> base_link at a fixed pose; start it twice, and the edge has two owners."""
+#
+#     def __init__(self):
+#         super().__init__('one_of_two')
+#         self.x = self.declare_parameter('x', 1.0).value  # [m]
+#         rate_hz = self.declare_parameter('rate_hz', 20.0).value
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.timer = self.create_timer(1.0 / rate_hz, self.tick)
+#         self.get_logger().info(f'odom -> base_link: x {self.x:.2f} m, {rate_hz:.1f} Hz')
+#
+#     def tick(self):
+#         t = TransformStamped()
+#         t.header.stamp = self.get_clock().now().to_msg()
+#         t.header.frame_id = 'odom'
+#         t.child_frame_id = 'base_link'
+#         t.transform.translation.x = self.x
+#         t.transform.rotation.w = 1.0
+#         self.broadcaster.sendTransform(t)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = OneOfTwo()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# ```
+# python3 one_of_two.py --ros-args -r __node:=wheels -p x:=1.0 -p rate_hz:=20.0
+# python3 one_of_two.py --ros-args -r __node:=ekf -p x:=2.0 -p rate_hz:=30.0
+# ros2 run tf2_ros tf2_echo odom base_link 20
+# rviz2
+# ```
+#
+# Each command needs a terminal of its own. In RViz set the Fixed Frame to `odom` and add *TF*: `base_link` jumps between x = 1 and x = 2. Start the second process again with `rate_hz:=20.0`, and compare.
+# Do this only where no robot listens, and stop both processes with Ctrl-C afterwards. Without ROS 2, `tflab run one_of_two.py` runs one of the two.
+
+# %% [markdown] lang="ko" name="experiment-c-file" slide="skip"
+# ## 여러분의 컴퓨터에서 하는 실험 C
+#
+# 이 노드를 저장하고, 파라미터를 달리해 두 번 시작합니다. 프로세스는 둘이고 연결은 하나입니다.
+#
+# ```python
+# # tf_lab_py/one_of_two.py
+# import rclpy
+# from geometry_msgs.msg import TransformStamped
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import TransformBroadcaster
+#
+#
+# class OneOfTwo(Node):
+#     """Publish odom -> base_link at a fixed pose; start it twice, and the edge has two owners."""
+#
+#     def __init__(self):
+#         super().__init__('one_of_two')
+#         self.x = self.declare_parameter('x', 1.0).value  # [m]
+#         rate_hz = self.declare_parameter('rate_hz', 20.0).value
+#         self.broadcaster = TransformBroadcaster(self)
+#         self.timer = self.create_timer(1.0 / rate_hz, self.tick)
+#         self.get_logger().info(f'odom -> base_link: x {self.x:.2f} m, {rate_hz:.1f} Hz')
+#
+#     def tick(self):
+#         t = TransformStamped()
+#         t.header.stamp = self.get_clock().now().to_msg()
+#         t.header.frame_id = 'odom'
+#         t.child_frame_id = 'base_link'
+#         t.transform.translation.x = self.x
+#         t.transform.rotation.w = 1.0
+#         self.broadcaster.sendTransform(t)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = OneOfTwo()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# ```
+# python3 one_of_two.py --ros-args -r __node:=wheels -p x:=1.0 -p rate_hz:=20.0
+# python3 one_of_two.py --ros-args -r __node:=ekf -p x:=2.0 -p rate_hz:=30.0
+# ros2 run tf2_ros tf2_echo odom base_link 20
+# rviz2
+# ```
+#
+# 명령마다 터미널을 하나씩 씁니다. RViz에서 고정 좌표계(Fixed Frame)를 `odom`으로 정하고 *TF*를 추가하면 `base_link`가 x = 1과 x = 2 사이를 오갑니다. 둘째 프로세스를 `rate_hz:=20.0`으로 다시 시작해 비교해 보세요.
+# 이 변환을 받는 로봇이 없는 곳에서만 하고, 끝나면 두 프로세스를 Ctrl-C로 종료하십시오. ROS 2가 없으면 `tflab run one_of_two.py`로 둘 가운데 하나를 실행해 볼 수 있습니다.
+
+# %% [markdown] lang="en" name="owner-blank" slide="skip"
+# ## A table of owners to print
+#
+# Five usual edges (section 24 of the lecture), and space for those of your own robot.
+#
+# | edge | usual owner | made of | our node | its switch, on or off | rate |
+# |---|---|---|---|---|---|
+# | `map → odom` | AMCL, SLAM, localisation | map and sensors | | | |
+# | `odom → base_link` | EKF or odometry | encoders, IMU, visual odometry | | | |
+# | `base_link → sensor` | robot_state_publisher | fixed joints of the URDF | | | static |
+# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
+# | `earth → map`, or a fleet's frame | localisation, fleet manager | GNSS, a survey | | | |
+# | | | | | | |
+
+# %% [markdown] lang="ko" name="owner-blank" slide="skip"
+# ## 인쇄용 발행 책임표
+#
+# 강의 24절의 다섯 연결과, 여러분 로봇의 연결을 적을 빈칸입니다.
+#
+# | 연결 | 흔한 발행자 | 데이터 | 우리 노드 | 스위치(켬/끔) | 발행률 |
+# |---|---|---|---|---|---|
+# | `map → odom` | AMCL, SLAM, 위치 추정 | 지도와 센서 | | | |
+# | `odom → base_link` | EKF 또는 오도메트리 | 인코더, IMU, 비주얼 오도메트리 | | | |
+# | `base_link → sensor` | robot_state_publisher | URDF의 고정 관절 | | | static |
+# | `base_link → moving_link` | robot_state_publisher | `/joint_states` | | | |
+# | `earth → map`, 또는 여러 로봇의 공통 좌표계 | 위치 추정, 관제 시스템 | GNSS, 측량 | | | |
+# | | | | | | |
+
+# %% [markdown] lang="en" name="ten" slide="skip"
+# ## Ten symptoms, and the first check of each
+#
+# | you see | likely | first check | chapter |
+# |---|---|---|---|
+# | no Fixed Frame | misspelt, or no node publishes it | RViz's own list, `view_frames` | 11 |
+# | two frames not connected | an edge in between is missing | `view_frames`: the two roots | 04, 09 |
+# | the robot trembles | two owners | the edge's rate and `tf2_echo … 20`, then `topic info /tf --verbose` | 12 |
+# | the sensor is drawn beside the robot | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
+# | the scan smears along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
+# | future extrapolation | late transforms, or a clock ahead | `topic delay`: its sign; `/clock` | 09, 12 |
+# | past extrapolation | slow processing, or a short buffer | the message's age compared with the cache time | 08, 09 |
+# | it fails with a bag only | `/tf`, `/tf_static` or `/clock` missing | `ros2 bag info`, and `--clock` | 10 |
+# | several robots' frames mixed up | prefix and namespace disagree | the whole tree in `view_frames` | 04 |
+# | off by 90° or 180° | axes, rpy, the order of a quaternion | the URDF's rpy, the axes in RViz | 02, 07 |
+
+# %% [markdown] lang="ko" name="ten" slide="skip"
+# ## 열 가지 증상과 먼저 할 확인
+#
+# 강의 28절의 증상입니다.
+#
+# | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
+# |---|---|---|---|
+# | Fixed Frame 없음 | 잘못 입력했거나 아무도 발행하지 않음 | RViz의 목록, `view_frames` | 11 |
+# | 두 좌표계가 연결되지 않음 | 사이의 연결이 빠짐 | `view_frames`의 두 루트 | 04, 09 |
+# | 로봇이 떨림 | 발행자가 둘 | 연결의 발행률과 `tf2_echo … 20`, 이어서 `topic info /tf --verbose` | 12 |
+# | 센서가 몸체에서 떨어져 보임 | 장착 변환의 값 | `tf2_echo base_link laser_frame`, URDF의 origin | 07, 11 |
+# | 센서 자취가 벽에 번짐 | 측정 시각, 지연된 오도메트리 | `topic delay /scan`, 그다음 `tf2_monitor`(스캔은 보지 못함) | 11 |
+# | 미래 외삽 | 지연된 변환, 앞선 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
+# | 과거 외삽 | 느린 처리, 짧은 버퍼 | 메시지의 나이와 보관 시간 | 08, 09 |
+# | bag에서만 실패 | `/tf`, `/tf_static`, `/clock`이 없음 | `ros2 bag info`, `--clock` | 10 |
+# | 여러 로봇의 좌표계가 섞임 | 접두사와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
+# | 방향이 90°나 180° 틀림 | 축, rpy, 쿼터니언의 순서 | URDF의 rpy, RViz의 축 | 02, 07 |
+
+# %% [markdown] lang="en" name="twelve" slide="skip"
+# ## Twelve common mistakes, and their remedies
+#
+# These are the mistakes of the lecture (section 29). The second column names the patient of the clinic that has the mistake, or the chapter if no patient has it.
+#
+# | the mistake | patient or chapter | remedy |
+# |---|---|---|
+# | numbers without a frame are used | chapter 01 | make `frame_id` a required part of every message, and reject one without it |
+# | the sensor's stamp is overwritten on arrival | chapter 08; in the clinic the workaround “stamp on arrival” | keep the time of the measurement |
+# | target and source of `lookup_transform` are swapped | chapter 03 | read the call as a sentence: expressed in the source, wanted in the target |
+# | all four numbers of a quaternion are 0 | quaternion of zeros | no rotation is w = 1 |
+# | a mount is published on `/tf` again and again | chapter 06, E12.5 | put it into the URDF, or use a static broadcaster |
+# | a moving frame is published as static | chapter 06 | publish it on `/tf` again and again, with its stamp |
+# | several nodes publish the same child | two owners of one edge; localizer owns the base | one owner for each transform |
+# | a longer timeout hides a wrong clock | laser clock ahead, with the workaround “timeout of 1 s” | correct stamps and time source |
+# | the pose in `map` is used for local control | chapter 05 | use `odom` where control needs a pose that does not jump |
+# | a bag holds sensor topics only | chapter 10, E12.5 | record `/tf`, `/tf_static`, and the clock and odometry that belong to them |
+# | a frame prefix is taken for the node's namespace | chapter 04, E12.5 | agree on frame names separately, and check them in the tree |
+# | RViz shows nothing, so the sensor must be broken | chapter 11; in the clinic everybody's first suspect, and no patient's fault | check the Fixed Frame and the path in TF first |
+
+# %% [markdown] lang="ko" name="twelve" slide="skip"
+# ## 열두 가지 실수와 교정
+#
+# 강의 29절의 실수입니다. 둘째 열은 그 실수를 한 진료실의 환자이고, 그런 환자가 없으면 그 실수를 다룬 장입니다.
+#
+# | 실수 | 환자 또는 장 | 교정 |
+# |---|---|---|
+# | 좌표계 없는 숫자를 씀 | 01장 | `frame_id`를 메시지의 필수 항목으로 두고, 없으면 거절합니다 |
+# | 수신 시각으로 센서의 측정 시각을 덮음 | 08장, 진료실에서는 임시방편 “stamp on arrival” | 실제로 측정한 시각을 유지합니다 |
+# | `lookup_transform`의 목표와 원본을 반대로 씀 | 03장 | 문장으로 읽어 확인합니다. 원본 기준의 데이터를 목표 기준으로 바꿉니다 |
+# | 쿼터니언의 네 값이 모두 0 | quaternion of zeros | 회전이 없으면 w = 1입니다 |
+# | 고정된 관계를 `/tf`로 계속 보냄 | 06장, E12.5 | URDF에 적거나 정적 발행기를 씁니다 |
+# | 움직이는 관계를 정적으로 보냄 | 06장 | 측정 시각과 함께 `/tf`로 계속 보냅니다 |
+# | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base | 변환마다 발행자를 하나로 정합니다 |
+# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 임시방편 “timeout of 1 s” | 측정 시각과 시간의 출처를 맞춥니다 |
+# | `map` 기준 포즈를 지역 제어에 바로 씀 | 05장 | 튀지 않는 포즈가 필요한 제어에는 `odom`을 씁니다 |
+# | bag에 센서만 기록 | 10장, E12.5 | `/tf`, `/tf_static`과 관련된 시계, 오도메트리도 함께 기록합니다 |
+# | 좌표계 접두사를 노드의 네임스페이스와 같게 여김 | 04장, E12.5 | 좌표계 이름을 따로 정하고 트리에서 확인합니다 |
+# | RViz에 안 보이면 센서 고장으로 판단 | 11장, 진료실에서는 누구나 먼저 의심하지만 그런 환자는 없음 | 고정 좌표계와 TF의 경로부터 확인합니다 |
+
 # %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
+# ## Three questions from earlier chapters
 #
 # 1. A localiser finds the robot on the map. Which edge does it publish, and from which two poses?
 # 2. A driver publishes its mount on `/tf_static` with VOLATILE. Why does a tf2 listener not receive it, even one that existed before?
@@ -945,7 +1200,7 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
+# ## 앞 장 복습: 세 문제
 #
 # 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 구해 발행합니까?
 # 2. 드라이버가 `/tf_static`에 장착 변환을 VOLATILE로 발행합니다. 먼저 참가한 tf2 수신기도 받지 못하는 까닭은 무엇입니까?
@@ -966,7 +1221,7 @@ night.try_fix()
 # 집에서 합니다. 1분이 남으면 첫 문제만 소리 내어 풉니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice questions · Q4, Q14 and Q15
+# ## Practice questions · Q4, Q14 and Q15
 #
 # **4.** Two nodes publish the same child. What can be seen? Write three or four sentences.
 #
@@ -1003,7 +1258,7 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q4, Q14, Q15
+# ## 서술형 문제 · Q4, Q14, Q15
 #
 # **4.** 같은 자식을 두 노드가 발행하면 어떤 증상이 나타납니까? 서너 문장으로 써 보세요.
 #
@@ -1044,41 +1299,3 @@ night.try_fix()
 
 # %% [markdown] lang="ko" name="practice-notes" slide="notes"
 # 집에서 씁니다. 15번은 단계뿐 아니라 순서도 봅니다.
-
-# %% [markdown] lang="en" name="exit-ticket" slide="slide"
-# ## Exit ticket
-#
-# > A colleague says: “I set a timeout of one second, and now RViz is green. Fixed.” Which check do you ask him to repeat, and what would the result have to be?
-#
-# <details><summary>Compare</summary>
-#
-# The one that found the fault. If it was `delay /scan`, the result has to be that of the card. As long as it is negative, the points are off the walls, although RViz is green.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="exit-ticket" slide="slide"
-# ## 마무리하며
-#
-# > 동료가 말합니다. “timeout을 1초로 했더니 RViz가 초록색이야. 고쳤어.” 어떤 검사를 다시 해 보라고 하겠습니까? 그 결과는 어떠해야 합니까?
-#
-# <details><summary>맞춰 보기</summary>
-#
-# 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 지연이 음수이면 RViz가 초록색이어도 점이 벽에서 어긋나 있습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
-# Two minutes, in silence, on paper. The ticket ends the first sitting.
-
-# %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
-# 2분 동안 말없이 쪽지에 적습니다. 첫째 시간은 여기서 끝납니다.
-
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
-# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
-# On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
-
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분의 로봇 세 대를 진단합니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
-# 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

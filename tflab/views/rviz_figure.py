@@ -26,8 +26,10 @@ COLOURS = {"Ok": "#00694E", "Warn": "#8A5A00", "Error": "#B34700"}
 SEEN_COLOURS = (style.ACCENT, style.AXIS_COLOURS["z"])
 AXIS_M = 0.35  # length of a frame's axes
 NEAR_M, OF_ONE_BODY_M = 0.3, 0.9  # a name this near to another's frame is left out; the second, that of a robot's link
-LINE_PX, TOP_PX, LEAST_PX = 15, 34, 320
-LETTERS, SAME_SHOWN = 50, 2  # of a line of the list; how many lines of one kind are shown in full
+WIDTH_PX, LEFT_PX, RIGHT_PX = 490, 46, 14  # of the card, and of the margins beside the map: a phone shows it whole
+TOP_PX, MAP_PX, AXIS_PX = 18, 270, 44  # above the map, its height, and below it with ticks and label
+LINE_PX, EDGE_PX = 17, 14  # of the list: a row, and the margin below the last
+LETTERS, SAME_SHOWN = 62, 2  # of a line of the list; how many lines of one kind are shown in full
 MANY = 1500  # points that are drawn smaller
 ROUND = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
 
@@ -48,27 +50,30 @@ def describe_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> str:
     return "\n".join(lines).rstrip()
 
 
-def draw_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> Picture:
-    """Draw from above what RViz shows, and beside it what it says.
+def draw_shown(shown: Sequence[Shown], walls: Sequence[Wall] = (), fixed_frame: str = "") -> Picture:
+    """Draw from above what RViz shows, and below it what its list reports.
 
     Args:
         shown: what `look_through` returned.
         walls: what is really there, in the Fixed Frame, each from (x, y) to (x, y) [m]; drawn beneath.
+        fixed_frame: its name, for the labels of the axes.
     """
     rows = list(_list_of(shown))
-    width_px = round(style.WIDE[0] * style.SCREEN_DPI)
-    height_px = max(LEAST_PX, TOP_PX + LINE_PX * len(rows) + 20)
-    picture = Picture(style.wide(height_px))
+    height_px = TOP_PX + MAP_PX + AXIS_PX + LINE_PX * len(rows) + EDGE_PX
+    picture = Picture((WIDTH_PX / style.SCREEN_DPI, height_px / style.SCREEN_DPI))
     with style.our_settings():
-        ax = picture.figure.add_axes((0.02, 16 / height_px, 0.48, 1 - 32 / height_px))
+        ax = picture.add_axes_px(LEFT_PX, height_px - TOP_PX - MAP_PX, WIDTH_PX - LEFT_PX - RIGHT_PX, MAP_PX)
         _draw_ground(ax, shown, walls)
+        of_frame = f" in {fixed_frame}" if fixed_frame else ""
+        ax.set_xlabel(f"x [m]{of_frame}", loc="right", labelpad=2)
+        ax.set_ylabel(f"y [m]{of_frame}", loc="top", labelpad=2)
         for number, (text, level, is_head) in enumerate(rows):
-            y = 1 - (TOP_PX + LINE_PX * number) / height_px
+            y = 1 - (TOP_PX + MAP_PX + AXIS_PX + LINE_PX * (number + 0.5)) / height_px
             picture.figure.text(
-                (0.525 if is_head else 0.55), y, text, color=COLOURS[level] if is_head else style.INK,
+                (18 if is_head else 32) / WIDTH_PX, y, text, color=COLOURS[level] if is_head else style.INK,
                 fontsize=style.TEXT_PT if is_head else style.SMALL_PT, fontweight="bold" if is_head else "normal",
+                va="center",
             )  # fmt: skip
-    picture.figure.set_size_inches(width_px / style.SCREEN_DPI, height_px / style.SCREEN_DPI)
     picture.text = describe_shown(shown, walls)
     return picture
 
@@ -94,7 +99,6 @@ def _list_of(shown: Sequence[Shown]) -> Iterator[tuple[str, str, bool]]:
 
 
 def _draw_ground(ax, shown: Sequence[Shown], walls: Sequence[Wall]) -> None:
-    ax.set_axis_off()
     ax.set_aspect("equal", adjustable="datalim")
     for wall in np.asarray(walls, dtype=float).reshape(-1, 2, 2):
         ax.plot(*wall.T, color=style.HAIR, linewidth=5.0, zorder=1, solid_capstyle="round")
@@ -158,7 +162,10 @@ def _turn(a: Sequence[float], b: Sequence[float], c: Sequence[float]) -> float:
 
 
 def _draw_frames(ax, shown: Sequence[Shown]) -> None:
-    """Draw x and y of each frame, and the names that stand clear of one another: the tree's upper frames first."""
+    """Draw x and y of each frame that can be named beside the others: the tree's upper frames first.
+
+    The links of a robot are drawn as its outline; of their frames the first is enough.
+    """
     poses = next((entry.poses for entry in shown if entry.name == "TF"), {})
     links = {link for entry in shown if entry.display for link in entry.poses}
     sensors = {message.frame_id for entry in shown for message, _ in entry.placed}
@@ -167,17 +174,18 @@ def _draw_frames(ax, shown: Sequence[Shown]) -> None:
     parts = links - sensors
     for frame, pose in sorted(poses.items(), key=lambda row: (row[0] in parts, row[0])):
         origin = np.array(pose.translation[:2])
+        near_m = OF_ONE_BODY_M if frame in parts else NEAR_M
+        if any(np.hypot(*(origin - label.anchor)) <= near_m for label in labels):
+            continue
         for axis, tip in (("x", (AXIS_M, 0.0, 0.0)), ("y", (0.0, AXIS_M, 0.0))):
             ends = np.vstack([origin, pose.apply(tip)[:2]])
             colour, line = style.AXIS_COLOURS[axis], style.AXIS_LINES[axis]
-            ax.plot(*ends.T, color=colour, linestyle=line, linewidth=1.4, zorder=5)
+            ax.plot(*ends.T, color=colour, linestyle=line, linewidth=1.8, zorder=5)
             axes.append(tuple(map(tuple, ends)))
-        near_m = OF_ONE_BODY_M if frame in parts else NEAR_M
-        if all(np.hypot(*(origin - label.anchor)) > near_m for label in labels):
-            label = FloatingLabel(ax, frame)
-            label.follow(tuple(origin))
-            label.keep_off = axes
-            labels.append(label)
+        label = FloatingLabel(ax, frame)
+        label.follow(tuple(origin))
+        label.keep_off = axes
+        labels.append(label)
     ax.apply_aspect()
     place_labels(labels)
 

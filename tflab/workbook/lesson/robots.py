@@ -103,7 +103,7 @@ def draw_rviz(until_s: float | None = None, fixed_frame: str = "map", decay_s: f
     if until_s is not None:
         graph.run(seconds=max(0.0, (seconds(until_s - 4.0) - graph.now_ns) / 1e9))
     shown = look_through(fixed_frame, *look(graph, seconds=4.0, decay_s=decay_s))
-    return draw_shown(shown, ROOM.walls if fixed_frame == "map" else ())
+    return draw_shown(shown, ROOM.walls if fixed_frame == "map" else (), fixed_frame)
 
 
 EVERY_RAY = 6  # of a scan's: enough to see the walls
