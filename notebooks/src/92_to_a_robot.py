@@ -152,7 +152,7 @@
 # **예측해 봅시다.** 다섯 명령 가운데 틀린 시계를 찾아내는 것은 무엇일까요? 누군가 레이저를 옮기고 URDF는 고치지 않았다면 어느 명령이 도움이 될까요?
 # 예측한 다음 시뮬레이션 로봇에서 실행해 보세요.
 
-# %% name="robot"
+# %% name="robot" tags=["collapsed"]
 # %load_ext tflab
 from tflab.workbook import lesson
 
@@ -243,5 +243,5 @@ nodes = lesson.launch(lesson.new_graph())
 #
 # 모든 항목의 명령은 `tflab progress`로 볼 수 있습니다. 기록한 bag을 가져와 `tflab doctor BAG`으로 진단해 보세요.
 
-# %% name="stop" slide="skip"
+# %% name="stop" slide="skip" tags=["collapsed"]
 lesson.current_graph().stop()
