@@ -32,7 +32,7 @@ def hop(tmp_path, monkeypatch):
 
 
 def test_a_package_has_what_its_nodes_import_and_runs_as_a_workspace(hop, capfd):
-    (hop / "rabbit.py").write_text(NODE.partition("\n")[2])
+    (hop / "rabbit.py").write_text(NODE.partition("\n")[2], encoding="utf-8-sig")
     assert main(["package", "hop"]) == 0
     made, before = hop.parent / "ros2_ws/src/hop", sorted(path.name for path in hop.iterdir())
     assert "tflab run ros2_ws hop:rabbit\n" in capfd.readouterr().out
@@ -73,6 +73,7 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
         (["hop"], "x = 1", "has no node: a Python file with a function main()"),
         (["hop", "--name", "Hop"], MAIN, 'cannot have the name "Hop"'),
         (["hop", "--name", "rclpy"], MAIN, 'cannot have the name "rclpy"'),
+        (["hop/rabbit.py"], MAIN, "is a file. The package comes first: tflab package my_robot_py rabbit.py"),
         (["hop"], "import rclpy\nrclpy.init()\n", "rabbit.py:2: ros2 run imports this file and calls main()"),
         (["hop"], f"{MAIN}main()\n", "rabbit.py:3: ros2 run imports this file"),
         (["hop"], "def main(args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),

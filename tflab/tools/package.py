@@ -39,6 +39,7 @@ GENERATED = {  # the files that are made from templates
     "test/test_{}.py": "test.py.txt",
 }
 NAME = re.compile(r"[a-z](_?[a-z0-9])+")
+TAKEN = {*PACKAGES, *sys.stdlib_module_names, "resource", "test", "urdf"}  # other packages, and folders of this one
 NO_NODE = re.compile(r"setup|conftest|__init__|test_.*|.*_test|.*\.launch")
 LAUNCH_DEPENDS = {"ament_index_python", "launch", "launch_ros", "robot_state_publisher"}
 ROSDEP_KEYS = {"PIL": "python3-pil", "cv2": "python3-opencv"} | {
@@ -83,9 +84,11 @@ def main(words: Sequence[str]) -> int:
 
 
 def _check_place(name: str, folder: Path, target: Path) -> None:
+    if folder.is_file():
+        raise PackageError(f"{folder.name} is a file. The package comes first: tflab package my_robot_py {folder.name}")
     if (folder / "package.xml").is_file():
         raise PackageError(f"{folder} is a package already. Run it with: tflab run {folder}")
-    if not NAME.fullmatch(name) or iskeyword(name) or name in {*PACKAGES, *sys.stdlib_module_names}:
+    if not NAME.fullmatch(name) or iskeyword(name) or name in TAKEN:
         raise PackageError(
             f'a package cannot have the name "{name}". Choose small letters, digits and single underscores, '
             "and no name of another package: --name my_robot_py"
@@ -130,7 +133,7 @@ def _package(name: str, folder: Path, modules: Mapping[Path, ast.Module], nodes:
 
 def _read(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
+        return path.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError as fault:
         raise PackageError(f"{path} is not UTF-8 ({fault}); save it as UTF-8 in your editor") from None
 
