@@ -42,6 +42,11 @@ def test_a_package_has_what_its_nodes_import_and_runs_as_a_workspace(hop, capfd)
     assert before == ["gait.py", "rabbit.py"]
     for path in made.rglob("*.py"):
         ast.parse(path.read_text())
+    files = {path.relative_to(made).as_posix() for path in made.rglob("*") if path.is_file()}
+    assert files == {
+        "package.xml", "setup.py", "setup.cfg", "resource/hop", "hop/__init__.py", "hop/rabbit.py", "hop/gait.py",
+        "launch/hop.launch.py", "urdf/tf_lab_robot.urdf", "test/test_hop.py",
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize(

@@ -124,6 +124,7 @@ def _package(name: str, folder: Path, modules: Mapping[Path, ast.Module], nodes:
     }
     for path, template in GENERATED.items():
         texts[path.format(name)] = Template(_read(TEMPLATES / template)).substitute(names)
+    texts |= {f"resource/{name}": "", f"{name}/__init__.py": ""}
     texts |= {f"launch/{path.name}": _read(path) for path in folder.glob("*.launch.py")}
     return texts | {f"{name}/{path.name}": _text_in(name, path, modules) for path in modules}
 
