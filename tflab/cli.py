@@ -43,6 +43,7 @@ SUBCOMMANDS = {
     "progress": Subcommand("learn", "tflab.workbook.course.progress_page", "progress"),
     "run": Subcommand("use_ros", "tflab.tools.shell", "run"),
     "ros2": Subcommand("use_ros", "tflab.tools.shell", "ros2"),
+    "package": Subcommand("use_ros", "tflab.tools.package", "main"),
     "doctor": Subcommand("use_ros", "tflab.doctor.command", "main"),
     "guide": Subcommand("teach", "tflab.grading.guide.command", "main"),
     "slides": Subcommand("teach", "tflab.workbook.pages.slides", "main"),

@@ -160,6 +160,15 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
 
 
 @pytest.mark.browser
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_the_cheat_sheet_is_one_page_of_a4(language: str, site: Path, page) -> None:
+    page.emulate_media(media="print")
+    page.set_viewport_size({"width": 688, "height": 500})  # A4 within the margins of book.css
+    page.goto((site / language / "conventions.html").as_uri())
+    assert page.evaluate("document.documentElement.scrollHeight") <= 1001
+
+
+@pytest.mark.browser
 @pytest.mark.parametrize(("width", "scheme"), [(390, "light"), (1366, "dark")])
 def test_a_page_fits_a_telephone_and_a_desk_and_can_be_read_by_everybody(
     width: int, scheme: str, site: Path, page

@@ -17,6 +17,7 @@
     ros2                          the command line
     page  magic                   in a page
     shell                         in a shell
+    package                       node files as a package for colcon
 
 A tool is two things: functions that turn values into upstream's text, and a small
 program on a node that calls them.

@@ -115,7 +115,7 @@ def front_page(book: Sequence[BookPage], language: str, *, has_reference: bool) 
 
 def conventions_text(language: str) -> str:
     """Return the conventions as Markdown."""
-    return (STATIC / f"conventions.{language}.md").read_text(encoding="utf-8")
+    return (STATIC / f"conventions_{language}.md").read_text(encoding="utf-8")
 
 
 def language_choice_page() -> str:

@@ -44,11 +44,12 @@ from .html import PageRunError, run_with_films
 __all__ = ["write_book"]
 
 KERNELS = 2
-CONVENTIONS = Text(en="Conventions", ko="규약")
+CONVENTIONS = Text(en="Cheat sheet", ko="한 장 요약")
 EXERCISE = Text(en="Exercise {number}", ko="연습 문제 {number}")
 BESIDE_THE_CHAPTERS = {
     "90_glossary": Text(en="Glossary", ko="용어집"),
     "91_practice": Text(en="Practice", ko="연습"),
+    "92_to_a_robot": Text(en="To a robot", ko="로봇으로"),
 }
 LINK = re.compile(r'href="(?:\.\./\.\./(?:exercises|notebooks)/\w+/)?(?P<page>\w+)\.ipynb(?P<place>#[^"]*)?"')
 
