@@ -20,7 +20,6 @@ from tflab.core import Transform
 from . import style
 from .frames import draw_arrow, draw_frames, show_all
 from .labels import place_labels
-from .map_error import SCALES_M
 from .picture import Picture
 from .projection import FROM_ABOVE, OUTLINE, RobotArtists
 
@@ -49,12 +48,11 @@ def draw_moves(
         length_m: how long an axis or a robot is drawn [m].
         before: what the grey pose is called.
     """
-    from matplotlib.ticker import MultipleLocator
+    from matplotlib.ticker import MaxNLocator
 
     picture = Picture((WIDTH_PX / style.SCREEN_DPI, HEIGHT_PX / style.SCREEN_DPI))
     panel_px = (WIDTH_PX - LEFT_PX - 14 - GAP_PX * (len(moves) - 1)) / len(moves)
     span_m = max(float(np.ptp(_corners(move, length_m), axis=0).max()) for move in moves.values())
-    ticks_m = min(length for length in SCALES_M if length >= span_m / TICKS)
     with style.our_settings():
         for i, (name, move) in enumerate(moves.items()):
             left = LEFT_PX + i * (panel_px + GAP_PX)
@@ -65,7 +63,7 @@ def draw_moves(
             if i:
                 ax.set_ylabel("")
             for axis in (ax.xaxis, ax.yaxis):
-                axis.set_major_locator(MultipleLocator(ticks_m))
+                axis.set_major_locator(MaxNLocator(TICKS, steps=(1, 2, 5, 10)))
             ax.grid(color=style.HAIR)
             ax.set_title(name, loc="left", fontsize=style.TEXT_PT)
             ax.set_title(f"grey: {before}", loc="right", fontsize=style.SMALL_PT, color=style.GREY)
