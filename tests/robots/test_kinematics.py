@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tflab.core import Transform
-from tflab.robots.model import Joint, all_positions, joint_transform, link_poses, link_transform
+from tflab.robots.model import Joint, all_positions, joint_transform, link_poses
 from tflab.robots.urdf import parse_urdf
 
 CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
@@ -49,13 +49,6 @@ def test_a_prismatic_joint_slides_a_floating_one_takes_a_pose_and_a_planar_one_m
     assert joint_transform(wall, (1.0, 2.0, 0.5)).apply((0.0, 0.0, 0.0))[0] == pytest.approx(0.0)
     ceiling = Joint("j", "planar", "a", "b", axis=(0.0, 0.0, -1.0))
     assert joint_transform(ceiling, (0.0, 0.0, 0.5)).rpy() == pytest.approx((0.0, 0.0, -0.5))
-
-
-def test_link_transform_inverts_one_pose_and_applies_the_other():
-    robot = parse_urdf(ROBOT)
-    poses = link_poses(robot, {"swing": 0.4})
-    hand_T_arm = link_transform(robot, "hand", "arm", {"swing": 0.4})
-    assert np.allclose((poses["hand"] @ hand_T_arm).matrix(), poses["arm"].matrix())
 
 
 @pytest.mark.parametrize(("positions", "words"), CASES["invalid"])

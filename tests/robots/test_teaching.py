@@ -8,7 +8,7 @@ import yaml
 
 from tflab.core import LATEST, Transform, seconds
 from tflab.robots import teaching
-from tflab.robots.model import link_transform
+from tflab.robots.model import link_poses
 from tflab.robots.motion import Drive, Leg
 from tflab.robots.readings import Detection, Scan
 from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf
@@ -32,7 +32,8 @@ def test_mounts_are_those_of_the_lecture_and_the_chain_to_the_tool_is_whole():
 def test_the_stretched_arm_reaches_as_far_as_its_parts_are_long():
     # shoulder 0.10 behind; upper arm 0.25, forearm 0.20, tool 0.12, all pointing forward
     robot = TeachingRobot()
-    straight = link_transform(robot.model, "base_link", "tcp", {"elbow_joint": 0.0, "wrist_joint": 0.0})
+    poses = link_poses(robot.model, {"elbow_joint": 0.0, "wrist_joint": 0.0})
+    straight = poses["base_link"].inverse() @ poses["tcp"]
     assert straight.translation == pytest.approx((-0.10 + 0.25 + 0.20 + 0.12, 0.0, 0.15))
     assert straight.apply((0.0, 0.0, 1.0))[0] == pytest.approx(1.0 + straight.translation[0])
 

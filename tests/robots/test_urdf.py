@@ -7,7 +7,7 @@ import pytest
 import yaml
 
 from tflab.robots.model import Box, Capsule, Cylinder, Limit, Material, Mesh, Mimic, Sphere
-from tflab.robots.urdf import UrdfError, parse_urdf, read_urdf
+from tflab.robots.urdf import UrdfError, parse_urdf
 
 CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 ARM = CASES["arm"]
@@ -226,17 +226,6 @@ def test_a_file_that_is_not_a_urdf_raises_in_one_line(text, words):
     error = str(fault(text))
     assert words in error
     assert "\n" not in error
-
-
-def test_a_file_is_read_and_errors_carry_its_name(tmp_path):
-    good, bad = tmp_path / "good.urdf", tmp_path / "bad.urdf"
-    good.write_text(ARM)
-    bad.write_text(ARM.replace('link="base"', 'link="bass"'))
-    assert read_urdf(good).name == "arm"
-    with pytest.raises(UrdfError, match=r"bad\.urdf:26: joint \"shoulder\": its parent link \"bass\" does not exist"):
-        read_urdf(bad)
-    with pytest.raises(UrdfError, match="cannot read this file: No such file"):
-        read_urdf(tmp_path / "none.urdf")
 
 
 def test_a_chain_of_two_thousand_links_is_read():

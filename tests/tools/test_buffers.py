@@ -7,7 +7,7 @@ import yaml
 
 from tflab.core import BufferCore, LookupException, StampedTransform, Transform, seconds
 from tflab.ros.tf2.buffer import Buffer
-from tflab.tools.trees import draw_buffer, draw_history, draw_question, edges_between
+from tflab.tools.trees import draw_buffer, draw_history, edges_between
 
 CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
@@ -43,12 +43,6 @@ def test_the_history_has_a_lane_for_each_edge_and_the_answer():
     assert "ExtrapolationException" in draw_history(filled(BufferCore()), "map", "base_link", seconds(9)).text
     with pytest.raises(LookupException, match='"nope"'):
         draw_history(filled(BufferCore()), "map", "nope")
-
-
-def test_the_question_stands_among_the_frames_of_its_tree():
-    picture = draw_question(filled(BufferCore()), "map", "laser_frame", seconds(2))
-    assert sorted(picture.poses) == ["base_link", "camera_link", "laser_frame", "map", "odom"]
-    assert "[laser_frame]" in picture.text
 
 
 def test_a_buffer_of_tf2_ros_is_drawn_as_well(graph):

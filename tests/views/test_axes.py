@@ -14,14 +14,13 @@ from tflab.views.axes import (
     draw_rotation,
     optical_from_body,
     pixel_from_optical,
-    straight_ahead,
 )
 
 
 def test_optical_axes_are_right_down_forward():
     assert BODY_T_OPTICAL.rotation == pytest.approx((-0.5, 0.5, -0.5, 0.5))
     for body_p, optical_p in (
-        (straight_ahead(2.0), (0.0, 0.0, 2.0)),
+        ((2.0, 0.0, 0.0), (0.0, 0.0, 2.0)),
         ((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)),  # left is minus right
         ((0.0, 0.0, 1.0), (0.0, -1.0, 0.0)),  # up is minus down
     ):

@@ -41,7 +41,6 @@ __all__ = [
     "all_positions",
     "joint_transform",
     "link_poses",
-    "link_transform",
     "parents_first",
 ]
 
@@ -256,20 +255,6 @@ def link_poses(robot: Robot, positions: Mapping[str, Position] | None = None) ->
     for joint in robot.joints:
         poses[joint.child] = poses[joint.parent] @ joint_transform(joint, complete.get(joint.name))
     return poses
-
-
-def link_transform(
-    robot: Robot, target_link: str, source_link: str, positions: Mapping[str, Position] | None = None
-) -> Transform:
-    """Return `target_T_source` between two links of the robot.
-
-    Raises:
-        KeyError: there is no such link.
-        ValueError: as for link_poses.
-    """
-    target, source = robot.link(target_link).name, robot.link(source_link).name
-    poses = link_poses(robot, positions)
-    return poses[target].inverse() @ poses[source]
 
 
 def all_positions(robot: Robot, positions: Mapping[str, Position]) -> dict[str, Position]:

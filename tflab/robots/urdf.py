@@ -44,7 +44,7 @@ from .model import (
 )
 from .xml_lines import Element, XmlFault, float_from, read_xml
 
-__all__ = ["UrdfError", "parse_urdf", "read_urdf"]
+__all__ = ["UrdfError", "parse_urdf"]
 
 NO_AXIS_NEEDED = ("fixed", "floating")
 XACRO_EXPRESSION = re.compile(r"\$[({]")
@@ -64,19 +64,6 @@ class UrdfError(ValueError):
         place = f"{source}:{line}" if line else source
         super().__init__(f'{place}: joint "{joint}": {message}' if joint else f"{place}: {message}")
         self.source, self.line, self.joint = source, line, joint
-
-
-def read_urdf(path: str | Path) -> Robot:
-    """Return the robot that a file describes.
-
-    Raises:
-        UrdfError: the file cannot be read, or describes no robot.
-    """
-    try:
-        content = Path(path).read_bytes()
-    except OSError as error:
-        raise UrdfError(f"cannot read this file: {error.strerror or error}", str(path)) from None
-    return parse_urdf(content, source=str(path))
 
 
 def parse_urdf(text: str | bytes, source: str = "robot_description") -> Robot:

@@ -24,7 +24,6 @@ from .session import result_of, spin_for, tool_node
 __all__ = [
     "draw_buffer",
     "draw_history",
-    "draw_question",
     "draw_walk",
     "edges_between",
     "frame_tree",
@@ -73,7 +72,6 @@ def _listen(seconds: float) -> Snapshot:
 
 if TYPE_CHECKING:
     from tflab.views.picture import Picture
-    from tflab.views.sentence import SentencePicture
     from tflab.views.timeline import TimelinePicture
 
 
@@ -107,27 +105,6 @@ def draw_history(
     children = edges_between(core.snapshot(), target_frame, source_frame)
     lanes = [lane_from_history(core.history(child)) for child in children]
     return draw_timeline(target_frame, source_frame, lanes, core.lookup_transform, stamp_ns)
-
-
-def draw_question(
-    buffer: BufferCore | RosBuffer,
-    target_frame: str,
-    source_frame: str,
-    stamp_ns: int = LATEST,
-    fixed_frame: str | None = None,
-) -> SentencePicture:
-    """Draw a question and its answer among all frames that have a place in `fixed_frame`, the root if None.
-
-    Raises:
-        TransformException: there is no answer.
-    """
-    from tflab.views.sentence import draw_sentence
-
-    core = _core(buffer)
-    stamped = core.lookup_transform(target_frame, source_frame, stamp_ns)
-    fixed_frame = fixed_frame or _way_up(core.snapshot(), source_frame)[-1]
-    poses = {frame: pose for frame in core.frame_names() if (pose := _pose(core, fixed_frame, frame, stamp_ns))}
-    return draw_sentence(poses, stamped, stamp_ns)
 
 
 def edges_between(tree: Snapshot, target_frame: str, source_frame: str) -> list[str]:

@@ -38,11 +38,6 @@ TURNS = {"roll": "x", "pitch": "y", "yaw": "z"}  # each about its fixed axis
 HALF_WIDTH, HALF_HEIGHT = 0.6, 0.45  # of the picture, one metre in front of the camera [m]
 
 
-def straight_ahead(distance_m: float) -> Vector3:
-    """Return the point that is so far [m] ahead of a body, in the body's own axes."""
-    return (float(distance_m), 0.0, 0.0)
-
-
 def optical_from_body(body_p: Sequence[float]) -> Vector3:
     """Return a point of camera_link, (x, y, z) [m], in camera_optical_frame: (-y, -z, x)."""
     return BODY_T_OPTICAL.inverse().apply(tuple(body_p))

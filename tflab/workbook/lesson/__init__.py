@@ -33,7 +33,7 @@ from tflab.robots.urdf import parse_urdf
 from tflab.ros import new_graph
 from tflab.ros.graph import current_graph
 from tflab.tools.rviz import look
-from tflab.tools.trees import draw_buffer, draw_history, draw_question, draw_walk, frame_tree
+from tflab.tools.trees import draw_buffer, draw_history, draw_walk, frame_tree
 from tflab.views.ages import Curve, Journey, draw_ages, draw_journeys
 from tflab.views.axes import (
     BODY_T_OPTICAL,
@@ -43,7 +43,6 @@ from tflab.views.axes import (
     draw_right_hand,
     draw_rotation,
     optical_from_body,
-    straight_ahead,
 )
 from tflab.views.clocks import Play, draw_clocks
 from tflab.views.coordinates import draw_moments, draw_rulers, readings_of
@@ -131,7 +130,7 @@ __all__ = [
     "draw_dominoes",
     "draw_drives", "draw_frame", "draw_heard", "draw_history", "draw_joins", "draw_joints", "draw_journeys",
     "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_moves", "draw_mug", "draw_orders",
-    "draw_owners", "draw_path", "draw_placed", "draw_question", "draw_questions", "draw_readings", "draw_right_hand",
+    "draw_owners", "draw_path", "draw_placed", "draw_questions", "draw_readings", "draw_right_hand",
     "draw_room", "draw_rotation", "draw_rulers", "draw_rviz", "draw_scan", "draw_scene", "draw_sentence",
     "draw_toolbox", "draw_tracks", "draw_turns", "draw_visit", "draw_walk", "draw_walls", "example_bag", "floor_cloud",
     "fmt", "fmt_all", "frame_tree", "fresh_folder", "joins_panel", "joints_panel", "lane_from_history",
@@ -139,6 +138,6 @@ __all__ = [
     "night_shift", "on_robot_c", "optical_from_body", "parse_urdf", "place_messages", "practice_patient", "rate_panel",
     "read_bag", "readings_of", "replay", "rotation_panel", "rulers_panel", "run_node", "scan_on_map", "second_opinion",
     "seen_from", "sentence_panel", "show_clock_error", "show_drive", "show_findings", "show_latency", "show_progress",
-    "show_suspects", "show_trolley", "start_robot", "stop_node", "straight_ahead", "teaching_urdf", "timeline_panel",
+    "show_suspects", "show_trolley", "start_robot", "stop_node", "teaching_urdf", "timeline_panel",
     "tools_panel", "tree_panel", "visit_panel", "wall_cloud", "walls_seen", "worked_patient", "xyzw_from_wxyz",
 ]  # fmt: skip
