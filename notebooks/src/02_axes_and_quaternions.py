@@ -91,6 +91,7 @@ from tflab.workbook import lesson
 # *그림 읽기:* the part = 물건, where the arm goes = 로봇 팔이 뻗는 곳.
 
 # %% name="story-picture" tags=["collapsed"] slide="subslide"
+# Draw where the part is, and where the arm goes.
 base_T_camera = Transform((0.10, 0.0, 0.30))
 base_T_optical = base_T_camera @ lesson.BODY_T_OPTICAL
 detected = (0.25, 0.15, 1.2)  # what the detector said [m]
@@ -100,6 +101,8 @@ lesson.draw_scene(
     ghost_points={"where the arm goes": base_T_camera.apply(detected)},
     fixed_frame="base_link",
     length_m=0.2,
+    size_inch=(5.4, 3.8),
+    caption="in base_link; grid of 0.2 m",
 )
 
 # %% [markdown] lang="en" name="story-after"
@@ -137,6 +140,7 @@ lesson.draw_scene(
 # 왼손으로 하면 오른쪽을 가리킵니다. 그래서 어느 손인지가 중요합니다.
 
 # %% name="body-axes-figure" tags=["collapsed"]
+# Draw the axes of the body.
 lesson.draw_body_axes()
 
 # %% [markdown] lang="en" name="body-axes-notes" slide="notes"
@@ -171,9 +175,11 @@ lesson.draw_body_axes()
 # y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 로봇의 앞머리(기수)는 올라갈까요, 내려갈까요?
 
 # %% name="signs-drive" tags=["predicted", "collapsed"] slide="fragment"
+# Draw three drives.
 lesson.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
 
 # %% name="signs-hand" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the positive rotations.
 lesson.draw_right_hand()
 
 # %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
@@ -229,6 +235,7 @@ lesson.draw_right_hand()
 # **예측해 봅시다.** 위쪽 끝이 같은 방향을 향할까요?
 
 # %% name="order-figure" tags=["predicted", "collapsed"] slide="fragment"
+# Draw both orders.
 lesson.draw_orders(("roll", math.pi / 2), ("yaw", math.pi / 2))
 
 # %% name="order-numbers" tags=["predicted"] slide="subslide"
@@ -267,6 +274,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # 패널은 같은 회전을 *quaternion*(2부)과 *matrix*(3부)로도 적어 보여 줍니다. 지금은 어떻게 바뀌는지만 보십시오.
 
 # %% name="rpy-panel" tags=["interactive", "collapsed"] slide="subslide"
+# Show the panel.
 lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% name="rpy-figure" tags=["static"]
@@ -472,6 +480,7 @@ else:
 # **예측해 봅시다.** 지금 종이에 좌표를 두 개 적어 보세요. 머그컵은 `camera_link` 기준으로 어디에 있을까요? `camera_optical_frame` 기준으로는 어디에 있을까요?
 
 # %% name="predict-run" tags=["predicted", "collapsed"] slide="fragment"
+# Print the mug in both frames.
 mug = (2.0, 0.0, 0.0)
 print("in camera_link          ", lesson.fmt_all(mug))
 print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
@@ -547,6 +556,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 살펴보세요.
 
 # %% name="optical-panel" tags=["interactive", "collapsed"] slide="subslide"
+# Show the panel.
 lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
 # %% name="optical-figure" tags=["static"]
@@ -579,6 +589,7 @@ lesson.draw_cameras((2.0, 0.5, 0.3))
 # 외워 둘 회전은 <b>rpy (−π/2, 0, −π/2)</b>입니다. 쿼터니언으로 쓰면 **(−0.5, 0.5, −0.5, 0.5)**, 크기는 모두 같고 부호만 다릅니다.
 
 # %% name="two-turns-figure" tags=["collapsed"]
+# Draw the two rotations.
 lesson.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
 
 # %% name="two-turns-run" slide="subslide"
@@ -682,9 +693,10 @@ print("ray in base_link:        ", lesson.fmt_all(base_ray, ""))
 
 # %% [markdown] lang="ko" name="ray-view" slide="skip"
 # 이 광선을 그려 보았습니다. 광선 위의 점은 모두 같은 픽셀에 보입니다. 3D 화면의 피라미드는 카메라가 보는 범위입니다.
-# *그림 읽기:* mug = 머그컵, deep = 깊이.
+# *그림 읽기:* mug = 머그컵, deep = 깊이, grid = 격자.
 
 # %% name="scene-3d" tags=["interactive", "collapsed"] slide="subslide"
+# Show the ray in 3D.
 view = lesson.Scene(height_px=380, grid_m=0.5)
 lesson.draw_frame(view, "base_link", Transform(), length_m=0.3)
 lesson.draw_frame(view, "camera_optical_frame", base_T_optical, "base_link", length_m=0.3)
@@ -697,9 +709,11 @@ view
 on_the_ray = {f"{z} m deep": base_T_optical.apply(np.multiply(optical_ray, z)) for z in (0.5, 1.0)}
 lesson.draw_scene(
     {"base_link": Transform(), "camera_optical_frame": base_T_optical},
-    points={**on_the_ray, "mug, 1.5 m deep": base_p_mug},
+    points={**on_the_ray, "mug": base_p_mug},
     fixed_frame="base_link",
     length_m=0.2,
+    size_inch=(5.4, 3.2),
+    caption="in base_link; grid of 0.5 m",
 )
 
 # %% [markdown] lang="en" name="ray-check" slide="skip"
@@ -797,6 +811,7 @@ lesson.draw_scene(
 # 깊이 카메라가 2 m 앞의 벽과 그 앞의 바닥을 보고 있습니다. 카메라 자신의 축(오른쪽, 아래, 앞)으로 잰 값은 이렇습니다.
 
 # %% name="cloud" tags=["collapsed"]
+# Prepare the camera's data, and print where it is.
 import rclpy
 from rclpy.node import Node
 from sensor_msgs.msg import PointCloud2
@@ -828,6 +843,7 @@ def depth_camera():
     rclpy.spin(node)
 
 # %% name="cloud-start" tags=["collapsed"] slide="skip"
+# Start the driver.
 graph.start(depth_camera, name="depth_camera")
 graph.run(seconds=1.0)
 
@@ -843,6 +859,7 @@ graph.run(seconds=1.0)
 # %rviz2 -f base_link
 
 # %% name="cloud-figure" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the cloud under both names.
 lesson.draw_misread(
     {"wall": base_T_optical.apply(wall), "floor": base_T_optical.apply(floor)},
     {"wall": base_T_camera.apply(wall), "floor": base_T_camera.apply(floor)},
@@ -1034,6 +1051,7 @@ lesson.draw_misread(
 # 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
 
 # %% name="recap-card" tags=["collapsed"] slide="subslide"
+# Draw the card.
 lesson.draw_card()
 
 # %% [markdown] lang="en" name="exit" slide="slide"
@@ -1074,15 +1092,17 @@ lesson.draw_card()
 #
 # 아래 절들은 더 알고 싶을 때, 찾아볼 때, 더 연습할 때를 위한 것입니다.
 
-# %% [markdown] lang="en" name="gimbal" slide="slide"
+# %% [markdown] lang="en" name="gimbal-heading" slide="slide"
 # ## Why not three angles? Gimbal lock
-#
+
+# %% [markdown] lang="ko" name="gimbal-heading" slide="slide"
+# ## 각도 세 개로는 왜 부족할까요? 짐벌 락
+
+# %% [markdown] lang="en" name="gimbal"
 # Point the nose straight down: pitch 90°. Now compare two sets of angles with quite different rolls and yaws.
 # **Predict:** how far apart are the two robots?
 
-# %% [markdown] lang="ko" name="gimbal" slide="slide"
-# ## 각도 세 개로는 왜 부족할까요? 짐벌 락
-#
+# %% [markdown] lang="ko" name="gimbal"
 # 기수를 똑바로 아래로 내립니다. pitch가 90°입니다. 이제 roll과 yaw가 전혀 다른 두 조합을 비교합니다.
 # **예측해 봅시다.** 두 로봇이 향한 방향은 얼마나 다를까요?
 
@@ -1114,9 +1134,13 @@ print("other (x, y, z, w):", lesson.fmt_all(other, ""))
 # %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
 # 실제 기계에서 어떤 뜻인지 말해 줍니다. x축(앞)이 똑바로 아래를 향하는 그리퍼는 하루 종일 pitch가 90°입니다.
 
-# %% [markdown] lang="en" name="length" slide="subslide"
+# %% [markdown] lang="en" name="length-heading" slide="subslide"
 # ## More on quaternions: −q, the length, NaN, half the angle
-#
+
+# %% [markdown] lang="ko" name="length-heading" slide="subslide"
+# ## 쿼터니언 더 보기: −q, 길이, NaN, 각도의 절반
+
+# %% [markdown] lang="en" name="length"
 # **q and −q.** The formula that rotates a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the rotation, hence half the angle. And two minus signs cancel, so −q rotates as q does.
 #
 # **The length.** The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
@@ -1125,9 +1149,7 @@ print("other (x, y, z, w):", lesson.fmt_all(other, ""))
 #
 # **NaN**, "not a number", is the result of 0/0 in C++ and NumPy. **Predict:** is NaN close to 1, or far from it?
 
-# %% [markdown] lang="ko" name="length" slide="subslide"
-# ## 쿼터니언 더 보기: −q, 길이, NaN, 각도의 절반
-#
+# %% [markdown] lang="ko" name="length"
 # **q와 −q.** 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡으므로 각도의 절반이 들어갑니다. 음의 부호 두 개는 서로 지워지므로 −q는 q와 같은 회전입니다.
 #
 # **길이.** 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
@@ -1150,9 +1172,13 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 # 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, ‘나쁜 값인가?’를 묻는 검사를 그대로 통과합니다.
 # `math.isfinite`로 먼저 확인하십시오.
 
-# %% [markdown] lang="en" name="try-it" slide="subslide"
+# %% [markdown] lang="en" name="try-it-heading" slide="subslide"
 # ## Try it: the same numbers in both frames
-#
+
+# %% [markdown] lang="ko" name="try-it-heading" slide="subslide"
+# ## 직접 해 보세요: 두 좌표계에서 숫자가 같은 점
+
+# %% [markdown] lang="en" name="try-it"
 # Change the numbers and run the cell again. Can you find
 #
 # - a point that has the **same** coordinates in both frames?
@@ -1165,9 +1191,7 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 #
 # </details>
 
-# %% [markdown] lang="ko" name="try-it" slide="subslide"
-# ## 직접 해 보세요: 두 좌표계에서 숫자가 같은 점
-#
+# %% [markdown] lang="ko" name="try-it"
 # 숫자를 바꾸어 다시 실행해 보세요. 다음을 찾을 수 있을까요?
 #
 # - 두 좌표계에서 세 숫자가 **똑같은** 점
@@ -1184,16 +1208,18 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 right, down, forward = 0.3, -0.1, 2.0  # change me
 print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forward))))
 
-# %% [markdown] lang="en" name="asker-before" slide="subslide"
+# %% [markdown] lang="en" name="asker-before-heading" slide="subslide"
 # ## Let TF do the arithmetic, and break it with zeros
-#
+
+# %% [markdown] lang="ko" name="asker-before-heading" slide="subslide"
+# ## TF에 계산을 맡기고, 0으로 고장 내기
+
+# %% [markdown] lang="en" name="asker-before"
 # The next program looks up transforms. Its [[listener]] receives every transform and stores it in a [[buffer]]. With `spin_thread=True` it does so in a thread of its own while you type.
 # `buffer.transform(message, "base_link")` then transforms a message from the frame in its header into the one that you want.
 # Chapter 08 explains how. Time on this page advances only while `graph.run` lets it. (`graph` was created by `%load_ext tflab`. A robot does not need it, because there time passes by itself.)
 
-# %% [markdown] lang="ko" name="asker-before" slide="subslide"
-# ## TF에 계산을 맡기고, 0으로 고장 내기
-#
+# %% [markdown] lang="ko" name="asker-before"
 # 변환을 조회하는 프로그램을 만듭니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 별도의 스레드에서 계속 수신합니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계 기준에서 `base_link` 기준으로 바꿉니다.
 # 버퍼의 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
@@ -1331,9 +1357,13 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
 
-# %% [markdown] lang="en" name="earth" slide="skip"
+# %% [markdown] lang="en" name="earth-heading" slide="skip"
 # ## The axes of the earth, and a compass
-#
+
+# %% [markdown] lang="ko" name="earth-heading" slide="skip"
+# ## 지구의 축과 나침반
+
+# %% [markdown] lang="en" name="earth" slide="skip"
 # REP-103 also fixes the axes of frames on the earth, such as `map` with GPS: **x east, y north, z up** (ENU). Data in north, east, down uses a frame of its own, with the suffix `_ned`.
 #
 # So yaw 0 is **east**, not north, and yaw grows counterclockwise. A compass heading is 0 at north and grows **clockwise**: yaw = 90° − heading.
@@ -1346,8 +1376,6 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # | west | 270° | 180° |
 
 # %% [markdown] lang="ko" name="earth" slide="skip"
-# ## 지구의 축과 나침반
-#
 # REP-103은 GPS를 쓰는 `map`처럼 지구에 고정된 좌표계의 축도 정합니다. **x는 동쪽, y는 북쪽, z는 위**입니다(ENU). 북쪽, 동쪽, 아래를 축으로 쓰는 데이터에는 이름이 `_ned`로 끝나는 좌표계를 따로 둡니다.
 #
 # 따라서 yaw 0은 북쪽이 아니라 **동쪽**이고, yaw는 반시계 방향으로 커집니다. 나침반의 방위각은 북쪽이 0이고 **시계 방향**으로 커집니다. yaw = 90° − 방위각입니다.
@@ -1359,9 +1387,13 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # | 남 | 180° | −90° |
 # | 서 | 270° | 180° |
 
-# %% [markdown] lang="en" name="robot-table" slide="subslide"
+# %% [markdown] lang="en" name="robot-table-heading" slide="subslide"
 # ## Look it up: data that is rotated by 90° or 180°
-#
+
+# %% [markdown] lang="ko" name="robot-table-heading" slide="subslide"
+# ## 찾아보기: 데이터가 90°나 180° 회전해 있다면
+
+# %% [markdown] lang="en" name="robot-table"
 # | what you see | likely cause | first look |
 # |---|---|---|
 # | a depth cloud above the robot like a ceiling | optical data stamped with the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
@@ -1376,9 +1408,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are in the reverse order. The named options of this page cannot be mixed up; `--help` lists them.
 
-# %% [markdown] lang="ko" name="robot-table" slide="subslide"
-# ## 찾아보기: 데이터가 90°나 180° 회전해 있다면
-#
+# %% [markdown] lang="ko" name="robot-table"
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
 # | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | 광학 좌표계의 데이터에 본체 좌표계를 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
@@ -1399,9 +1429,13 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # %% [markdown] lang="ko" name="robot-table-notes" slide="notes"
 # 왼쪽 열만 읽어 주고 원인은 청중이 말하게 합니다. 겪어 본 사람이 있으면 얼마나 걸렸는지 들려 달라고 합니다.
 
-# %% [markdown] lang="en" name="words" slide="subslide"
+# %% [markdown] lang="en" name="words-heading" slide="subslide"
 # ## Terms, and three questions from before
-#
+
+# %% [markdown] lang="ko" name="words-heading" slide="subslide"
+# ## 이 장의 용어, 그리고 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="words"
 # **Terms of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # <details><summary>1. What does a coordinate need, besides its value?</summary>
@@ -1420,9 +1454,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # </details>
 
-# %% [markdown] lang="ko" name="words" slide="subslide"
-# ## 이 장의 용어, 그리고 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="words"
 # **이 장의 용어:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # <details><summary>1. 좌표에는 값 말고 무엇이 더 필요합니까?</summary>
@@ -1441,9 +1473,13 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice questions
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제
+
+# %% [markdown] lang="en" name="practice"
 # Write two or three sentences each, then open the rubric and mark yourself: one point per idea.
 #
 # **Q2.** Compare the axes of a robot's body frame with those of a camera's optical frame.
@@ -1468,9 +1504,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제
-#
+# %% [markdown] lang="ko" name="practice"
 # 두세 문장씩 적은 다음, 채점 기준을 열어 스스로 정직하게 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # **Q2.** 로봇 본체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
@@ -1495,14 +1529,16 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 #
 # </details>
 
-# %% [markdown] lang="en" name="stop-why" slide="skip"
+# %% [markdown] lang="en" name="stop-why-heading" slide="skip"
 # ## Stop the robot's programs
-#
+
+# %% [markdown] lang="ko" name="stop-why-heading" slide="skip"
+# ## 로봇의 프로그램 멈추기
+
+# %% [markdown] lang="en" name="stop-why" slide="skip"
 # The last cell stops the robot's programs, as Ctrl-C would.
 
 # %% [markdown] lang="ko" name="stop-why" slide="skip"
-# ## 로봇의 프로그램 멈추기
-#
 # 마지막 셀은 Ctrl-C처럼 로봇의 프로그램을 모두 멈춥니다.
 
 # %% name="stop" slide="skip"
