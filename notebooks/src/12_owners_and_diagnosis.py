@@ -801,36 +801,6 @@ visit.try_fix()
 #
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
-# %% [markdown] lang="en" name="film-intro" slide="subslide"
-# ## The visit once more, step by step
-#
-# This is the whole visit of the worked example. Choose a step, or use the arrow keys. You can replay your own visits in the same way.
-
-# %% [markdown] lang="ko" name="film-intro" slide="subslide"
-# ## 진료 다시 보기: 한 단계씩
-#
-# 앞에서 한 진료 전체를 한 단계씩 다시 봅시다. 단계를 고르거나 화살표 키로 넘겨 보세요. 여러분의 진료도 이렇게 볼 수 있습니다.
-
-# %% name="film" tags=["interactive", "collapsed"]
-lesson.visit_panel(visit)
-
-# %% name="film-still" tags=["static"]
-lesson.draw_visit(visit)
-
-# %% [markdown] lang="en" name="film-seen"
-# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows. RViz reports Ok everywhere in both, but `delay /scan` has the normal value of the card only in one.
-
-# %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 검사 결과가 그 용의자와 맞지 않는 지점에서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
-#
-# 마지막 두 줄을 비교해 보세요. RViz는 둘 다 모두 Ok이지만, `delay /scan`의 결과가 카드와 같은 것은 한 줄뿐입니다.
-
-# %% [markdown] lang="en" name="film-notes" slide="notes"
-# Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
-
-# %% [markdown] lang="ko" name="film-notes" slide="notes"
-# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막 단계를 보여 줍니다.
-
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
 #

@@ -12,7 +12,7 @@ from tflab.clinic.practice import answer_of, practice_patient, second_opinion, t
 from tflab.clinic.proof import consistent_suspects, shortest_proof
 from tflab.clinic.simulate_patient import doctor_report
 from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, expected_kind
-from tflab.clinic.visit import TEXTS, Visit, admit, steps_of
+from tflab.clinic.visit import TEXTS, Visit, admit
 from tflab.text import LANGUAGES
 
 
@@ -154,7 +154,7 @@ def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
     visit.say("laser clock ahead")
     visit.try_fix()
     assert capsys.readouterr().out.count("Now choose a fix: `fixes()` prints the list") == 2
-    assert len(steps_of(visit)) == 2  # what was refused is no row
+    assert len(visit.tried) == 0
     visit.fixes()
     fixes = capsys.readouterr().out.splitlines()
     assert "set the laser's clock" in fixes and "stamp on arrival" in fixes and len(fixes) == 21
@@ -229,33 +229,3 @@ def test_notes_are_translated_and_what_a_tool_printed_is_not():
     for note in NOTES.values():
         blanks = dict.fromkeys(("distance", "ahead", "side", "up"), "0.20")
         assert translate_output(note.en.format(**blanks), "ko") == note.ko.format(**blanks)
-
-
-# -- steps ---------------------------------------------------------------------
-
-
-def test_each_question_and_each_fix_is_a_row_and_the_readings_strike(ahead, capsys):
-    visit = Visit(ahead, "ko")
-    visit.take("node list")
-    visit.take("delay /scan")
-    for fix in ("timeout of 1 s", "set the laser's clock"):
-        visit.say("laser clock ahead", fix=fix)
-        visit.try_fix()
-    door, nodes, delay, plaster, cure = steps_of(visit)
-    assert (door.said, len(door.left)) == ("extrapolation into the future", 3)
-    assert (nodes.name, nodes.said, len(nodes.left)) == ("node list", "as on the card", 3)
-    assert delay.said.startswith("-0.") and delay.beside == "card: 0.105 s, std dev 0.000 s"
-    assert delay.left == plaster.left == cure.left == ("laser clock ahead",)
-    assert plaster.is_fix and plaster.said.startswith("RViz all Ok, scan up to 0.")
-    assert plaster.beside == f"delay /scan: {delay.said}" and cure.beside == "delay /scan: 0.105 s, std dev 0.000 s"
-    far, near = (float(step.said.split("up to ")[1].split(" m")[0]) for step in (plaster, cure))
-    assert far > 3 * near
-
-
-def test_one_who_does_not_complain_has_nothing_at_the_door_and_eighteen_suspects():
-    silent = FaultyRobot("", "", 12.0, {"use_sim_time": (1.0, "Boolean value is: True", "True")}, {})
-    visit = Visit(silent)
-    visit.take("use_sim_time")
-    door, asked = steps_of(visit)
-    assert (door.name, door.said, len(door.left)) == ("it does not work", "", 18)
-    assert asked.left == ("localizer waits for /clock",)

@@ -7,7 +7,6 @@ import weakref
 import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.views.diagnosis_log import VisitStep
 from tflab.views.late_joiner import Sender, SentMessage
 from tflab.views.panels import (
     Travel,
@@ -23,7 +22,6 @@ from tflab.views.panels import (
     sentence_panel,
     timeline_panel,
     tree_panel,
-    visit_panel,
 )
 from tflab.views.panels.lookups import transform_between
 from tflab.views.timeline import Lane
@@ -66,7 +64,6 @@ def one_tree_panel():
     return tree_panel(PARENTS, "map", "laser_frame", lambda *asked: (True, f"asked {asked}"))
 
 
-VISIT = [VisitStep("RViz", 0.0, "?", "", ("a", "b")), VisitStep("hz /odom", 1.0, "2.0 Hz", "card: 20.0 Hz", ("a",))]
 PANELS = {
     "tree": one_tree_panel,
     "joints": lambda: joints_panel(arm, [Travel("turn", -1.5, 1.5), Travel("slide", 0.0, 0.3, unit="m")]),
@@ -80,7 +77,6 @@ PANELS = {
     "rulers": rulers_panel,
     "joins": listener_panel,
     "rate": rate_panel,
-    "visit": lambda: visit_panel(VISIT, 12.0),
 }
 NAMES = {  # of ROS 2, of Python, of a joint, of an angle, of a unit: the same in both languages
     "Python", "LATEST", "durability", "use_sim_time", "rviz2", "detector", "loop", "clock", "rate", "frame",

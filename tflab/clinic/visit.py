@@ -14,21 +14,17 @@ well, or do not fit the one that was named, no fix is tried.
 
 from __future__ import annotations
 
-import re
 from typing import NamedTuple
 
 from tflab.text import Texts
-from tflab.views.diagnosis_log import VisitStep
 
-from .checks import CHECKS, CostedCheck, find_check, unknown_name_error
-from .examples import EXAMPLES
-from .findings import AS_ON_THE_CARD, READERS
+from .checks import CHECKS, find_check, unknown_name_error
 from .fixes import DIAGNOSES
 from .patient import FaultyRobot, result_of_fix, translate_output
 from .proof import NOTHING_IS_WRONG, best_check, consistent_suspects
 from .table import COMPLAINTS, DECIDING, SENSOR_BROKEN, SUSPECTS
 
-__all__ = ["FixTried", "Visit", "VisitEntry", "admit", "steps_of"]
+__all__ = ["FixTried", "Visit", "VisitEntry", "admit"]
 
 TEXTS = Texts(__file__)
 FRAMES = dict.fromkeys(remedy.frame for remedy in DIAGNOSES.values())
@@ -237,37 +233,3 @@ def _folded(screen: str) -> str:
         if not is_ok or not line.startswith(" "):
             lines.append(line)
     return "\n".join(lines)
-
-
-LONGEST = 46  # letters of a finding
-
-
-def steps_of(visit: Visit) -> list[VisitStep]:
-    """Return the steps of a visit as `draw_visit` takes them."""
-    complaint = COMPLAINTS.get(visit.patient.complaint)
-    left = complaint.suspects if complaint else SUSPECTS
-    seen = READERS["rviz"](visit.patient.screen) if complaint else ""
-    steps = [VisitStep("RViz" if complaint else "it does not work", 0.0, seen, "", left)]
-    for asked in visit.log:
-        check = CHECKS[asked.check]
-        left = consistent_suspects({check.key: check.kind(asked.finding)}, left)
-        said, card = _in_a_row(check, asked.finding), _in_a_row(check, EXAMPLES[check.key][check.usual])
-        steps.append(VisitStep(check.key, check.minutes, said, f"card: {card}" if card != AS_ON_THE_CARD else "", left))
-    return [*steps, *(_fixed(fix, left) for fix in visit.tried)]
-
-
-def _in_a_row(check: CostedCheck, finding: str) -> str:
-    """Return a finding, and of a long one, such as all nodes, only its kind."""
-    return finding if len(finding) <= LONGEST else check.kind(finding)
-
-
-def _fixed(tried: FixTried, left: tuple[str, ...]) -> VisitStep:
-    """Return a fix as a step: what RViz and the walls say after it, and beside it the reading that decides."""
-    seen, _, reading = tried.text.partition("\n$ ")
-    command, _, printed = reading.partition("\n")
-    check = find_check(command)
-    off = re.search(r"up to (\S+ m)", seen)
-    rviz = "all Ok" if seen.startswith("RViz: all Ok") else "not Ok"
-    said = f"RViz {rviz}, scan up to {off[1]} off" if off else f"RViz {rviz}, no scan placed"
-    beside = f"{check.key}: {_in_a_row(check, READERS[check.reader](printed))}"
-    return VisitStep(tried.fix, tried.minutes, said, beside, left, is_fix=True)

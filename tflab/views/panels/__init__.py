@@ -13,7 +13,7 @@
 A page shows a panel by naming it in the last line of a cell; `.close()` frees it.
 """
 
-from .diagnosis import tools_panel, visit_panel
+from .diagnosis import tools_panel
 from .geometry import Travel, cameras_panel, joints_panel, mount_panel, rotation_panel, rulers_panel
 from .lookups import SentencePanel, sentence_panel, tree_panel
 from .panel import Panel
@@ -36,5 +36,4 @@ __all__ = [
     "timeline_panel",
     "tools_panel",
     "tree_panel",
-    "visit_panel",
 ]

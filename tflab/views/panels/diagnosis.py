@@ -1,19 +1,14 @@
-"""Panels for diagnosis: which tool answers a question, and a visit step by step."""
+"""Show which tool answers a question, and what it prints, in a panel."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from html import escape
 
-from tflab.text import Texts
-
-from ..diagnosis_log import VisitPicture, VisitStep
 from ..fault_tables import SIGNS, Suitabilities, ToolOutput, ToolPicture
 from ..libraries import ipywidgets as widgets
 from .panel import Panel, menu
 from .prefetch import Controls
-
-TEXTS = Texts(__file__)
 
 
 def tools_panel(
@@ -55,11 +50,3 @@ def tools_panel(
         control.observe(explain, names="value")
     explain()
     return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why])
-
-
-def visit_panel(steps: Sequence[VisitStep], budget_min: float) -> Panel:
-    """Return a panel that plays a visit step by step; on an exported page it becomes slider frames."""
-    picture = VisitPicture(steps, budget_min)
-    options = [(f"{number + 1}. {step.name}", number) for number, step in enumerate(steps)]
-    step = menu(TEXTS["step"], options, 0, TEXTS["keys"], "60px", "420px")
-    return Panel(TEXTS["a visit"], picture, (step,), lambda at: picture.show(at(step)))

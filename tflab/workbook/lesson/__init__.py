@@ -85,12 +85,10 @@ from .clinic_visits import (
     draw_both_ways,
     draw_columns,
     draw_questions,
-    draw_visit,
     second_opinion,
     show_findings,
     show_suspects,
     show_trolley,
-    visit_panel,
 )
 from .panels import draw_joints, joints_panel, tree_panel
 from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
@@ -132,12 +130,12 @@ __all__ = [
     "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_moves", "draw_mug", "draw_orders",
     "draw_owners", "draw_path", "draw_placed", "draw_questions", "draw_readings", "draw_right_hand",
     "draw_room", "draw_rotation", "draw_rulers", "draw_rviz", "draw_scan", "draw_scene", "draw_sentence",
-    "draw_toolbox", "draw_tracks", "draw_turns", "draw_visit", "draw_walk", "draw_walls", "example_bag", "floor_cloud",
+    "draw_toolbox", "draw_tracks", "draw_turns", "draw_walk", "draw_walls", "example_bag", "floor_cloud",
     "fmt", "fmt_all", "frame_tree", "fresh_folder", "joins_panel", "joints_panel", "lane_from_history",
     "latency_error", "latency_panel", "launch", "launch_answer", "link_poses", "look", "mount_panel", "new_graph",
     "night_shift", "on_robot_c", "optical_from_body", "parse_urdf", "place_messages", "practice_patient", "rate_panel",
     "read_bag", "readings_of", "replay", "rotation_panel", "rulers_panel", "run_node", "scan_on_map", "second_opinion",
     "seen_from", "sentence_panel", "show_clock_error", "show_drive", "show_findings", "show_latency", "show_progress",
     "show_suspects", "show_trolley", "start_robot", "stop_node", "teaching_urdf", "timeline_panel",
-    "tools_panel", "tree_panel", "visit_panel", "wall_cloud", "walls_seen", "worked_patient", "xyzw_from_wxyz",
+    "tools_panel", "tree_panel", "wall_cloud", "walls_seen", "worked_patient", "xyzw_from_wxyz",
 ]  # fmt: skip

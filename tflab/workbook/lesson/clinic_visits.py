@@ -2,7 +2,6 @@
 
 ```
 admit(patient)            the complaint, the card, twelve minutes
-draw_visit(visit)         how a visit went, step by step; visit_panel(visit) plays it
 second_opinion(7, cause)  what the doctor says of a practice patient, beside one's own diagnosis
 draw_columns("flickers")  the table of a complaint: who would answer what
 draw_both_ways()          the lecture's order beside the best question next, for all eighteen
@@ -23,13 +22,10 @@ from tflab.clinic.panel import columns_for, suspects_table
 from tflab.clinic.patient import FaultyRobot
 from tflab.clinic.proof import best_check, check_steps, minutes_of, rivals_left, rivals_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, expected_kind
-from tflab.clinic.visit import Visit, steps_of
+from tflab.clinic.visit import Visit
 from tflab.clinic.visit import admit as admitted
-from tflab.views import panels
 from tflab.views.diagnosis_log import draw_minutes, draw_order
-from tflab.views.diagnosis_log import draw_visit as drawn_visit
 from tflab.views.fault_tables import SuspectsPicture, draw_suspects
-from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 
 from ...text import language_of_workbook
@@ -53,16 +49,6 @@ LECTURES_ORDER = (
 def admit(patient: FaultyRobot, helped: bool = False) -> Visit:
     """Let a patient in, in the language of this copy; where the table helps, it strikes whom a reading does not fit."""
     return admitted(patient, language_of_workbook(), helped)
-
-
-def draw_visit(seen: Visit) -> Picture:
-    """Draw how a visit went so far: what each step cost and said, and where each suspect was struck."""
-    return drawn_visit(steps_of(seen), seen.patient.budget_min)
-
-
-def visit_panel(seen: Visit) -> Panel:
-    """Return the same step by step, in the language of this copy."""
-    return panels.visit_panel(steps_of(seen), seen.patient.budget_min)
 
 
 def second_opinion(number: int, cause: str = "") -> None:
