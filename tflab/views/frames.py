@@ -15,7 +15,6 @@ makes a whole picture. RViz draws the same with its TF and Axes displays.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -25,19 +24,17 @@ from tflab.core import Transform
 from tflab.core.quaternions import Vector3
 
 from . import style
-from .labels import FloatingLabel, place_labels
+from .labels import FloatingLabel, letter_outline, letter_size_pt, place_labels
 from .picture import Picture
 from .projection import FROM_ABOVE, SLANTING, Eye
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
-    from matplotlib.path import Path as MarkerPath
 
 LETTERS_Z = 45  # above every shaft, below arrows, points and names
 FLAT = 0.2  # an axis shorter than this part of its length is seen end-on
 HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
-LETTER_PT = 11.0
 CROWD = 5  # frames in one spot: none of them has letters at its axes
 ARROW_LENGTH = 1.6  # the longest arrow of a scene, in lengths of an axis
 TICKS_PX = (54, 48)  # left of and below a scene from above: its ticks and the names of its axes
@@ -60,7 +57,7 @@ class AxisArtists:
         self.ring = Line2D([], [], color=colour, marker="o", markersize=9, markerfacecolor=style.PAPER,
                            markeredgewidth=1.4, linestyle="none")  # fmt: skip
         self.sign = Line2D([], [], color=colour, markersize=3.5, markeredgewidth=1.4, linestyle="none")
-        self.letter = Line2D([], [], color=colour, marker=_letter(axis), markersize=_height_pt(axis),
+        self.letter = Line2D([], [], color=colour, marker=letter_outline(axis), markersize=letter_size_pt(axis),
                              markeredgewidth=0.0, linestyle="none", gid=axis,
                              path_effects=[withStroke(linewidth=2.0, foreground=style.PAPER)])  # fmt: skip
         self._along = np.zeros(2)  # where it points on paper, if it is seen from the side
@@ -388,22 +385,6 @@ def _on_stage(
         for name, (frame, vector) in arrows.items()
         if np.linalg.norm(vector) > 1e-3 * longest
     }
-
-
-@cache
-def _letter(axis: str) -> MarkerPath:
-    """Return a letter as the outline of a marker: many times quicker to redraw than a text."""
-    from matplotlib.path import Path
-    from matplotlib.textpath import TextPath
-
-    outline = TextPath((0.0, 0.0), axis, size=LETTER_PT, prop={"family": "DejaVu Sans", "weight": "bold"})
-    middle = (outline.vertices.min(axis=0) + outline.vertices.max(axis=0)) / 2
-    return Path(outline.vertices - middle, outline.codes)
-
-
-def _height_pt(axis: str) -> float:
-    """Return the marker size [points] at which a letter has its own size: matplotlib scales outlines to one."""
-    return 2.0 * float(abs(_letter(axis).vertices).max())
 
 
 def _multiples(low: float, high: float, step: float) -> list[float]:
