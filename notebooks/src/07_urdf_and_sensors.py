@@ -117,8 +117,11 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # In the next cells the real laser is rotated to the left by 90°. The line is written in one of two places:
 #
 # ```xml
-# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
-# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# <!-- in the link's <visual> -->
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>
+#
+# <!-- in the <joint> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>
 # ```
 
 # %% [markdown] lang="ko" name="two-origins-why"
@@ -130,8 +133,11 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # 다음 셀들에서는 레이저를 실제로 왼쪽으로 90° 회전시켜 답니다. 그 줄을 두 곳 가운데 한 곳에 적습니다.
 #
 # ```xml
-# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
-# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# <!-- in the link's <visual> -->
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>
+#
+# <!-- in the <joint> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>
 # ```
 
 # %% name="write-the-line" tags=["collapsed"] slide="fragment"
@@ -691,10 +697,11 @@ for what, text in broken.items():
 # The lecture does not say how to start `robot_state_publisher` with its URDF (§11). Save the URDF as `robot.urdf`. The parameter takes the *text* of the file, so let the shell read it:
 #
 # ```
-# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ros2 run robot_state_publisher robot_state_publisher \
+#   --ros-args -p robot_description:="$(cat robot.urdf)"
 # ```
 #
-# Without the parameter the node stops with `robot_description parameter must not be empty`. (Here, `tflab` in front of `ros2` runs the same line.) Then look at what it publishes, and at the sensors:
+# Without the parameter the node stops with `robot_description parameter must not be empty`. (On a computer without ROS 2, put `tflab` in front of `ros2`, and the same command runs.) Then look at what it publishes, and at the sensors:
 #
 # ```
 # ros2 topic echo /robot_description --once        # the URDF that all nodes use
@@ -712,10 +719,11 @@ for what, text in broken.items():
 # 강의(§11)에는 이 URDF로 `robot_state_publisher`를 켜는 법이 나오지 않습니다. URDF를 `robot.urdf`로 저장합니다. 파라미터의 값은 파일 이름이 아니라 파일의 *내용*이므로, 셸이 읽어 넣게 합니다.
 #
 # ```
-# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ros2 run robot_state_publisher robot_state_publisher \
+#   --ros-args -p robot_description:="$(cat robot.urdf)"
 # ```
 #
-# 파라미터가 없으면 노드는 `robot_description parameter must not be empty`라며 멈춥니다. (ROS 2가 없는 컴퓨터에서는 `ros2` 앞에 `tflab`을 붙이면 같은 줄을 실행할 수 있습니다.) 이제 무엇을 발행하는지, 센서는 어떤지 살펴봅니다.
+# 파라미터가 없으면 노드는 `robot_description parameter must not be empty`라며 멈춥니다. (ROS 2가 없는 컴퓨터에서는 `ros2` 앞에 `tflab`을 붙이면 같은 명령을 실행할 수 있습니다.) 이제 무엇을 발행하는지, 센서는 어떤지 살펴봅니다.
 #
 # ```
 # ros2 topic echo /robot_description --once        # 모든 노드가 받는 URDF

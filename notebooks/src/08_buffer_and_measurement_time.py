@@ -848,7 +848,8 @@ node.stop()
 #         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
 #         self.listener = TransformListener(self.buffer, self)
 #         self.publisher = self.create_publisher(PointStamped, 'point_in_map', 10)
-#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id or Time.from_msg(message.header.stamp).nanoseconds == 0:
@@ -907,7 +908,8 @@ node.stop()
 #         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
 #         self.listener = TransformListener(self.buffer, self)
 #         self.publisher = self.create_publisher(PointStamped, 'point_in_map', 10)
-#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id or Time.from_msg(message.header.stamp).nanoseconds == 0:
