@@ -117,8 +117,11 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # In the next cells the real laser is rotated to the left by 90°. The line is written in one of two places:
 #
 # ```xml
-# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
-# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# <!-- in the link's <visual> -->
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>
+#
+# <!-- in the <joint> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>
 # ```
 
 # %% [markdown] lang="ko" name="two-origins-why"
@@ -130,11 +133,15 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # 다음 셀들에서는 레이저를 실제로 왼쪽으로 90° 회전시켜 답니다. 그 줄을 두 곳 가운데 한 곳에 적습니다.
 #
 # ```xml
-# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>      <!-- in the link's <visual> -->
-# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>                             <!-- in the <joint> -->
+# <!-- in the link's <visual> -->
+# <visual> <origin rpy="0 0 1.5708"/> <geometry>...</geometry> </visual>
+#
+# <!-- in the <joint> -->
+# <origin xyz="0.20 0.0 0.15" rpy="0 0 1.5708"/>
 # ```
 
 # %% name="write-the-line" tags=["collapsed"] slide="fragment"
+# Write the line in <visual>, and in <joint>.
 URDF = lesson.teaching_urdf()
 QUARTER = 'rpy="0 0 1.5707963267948966"'
 paint = '<geometry><cylinder radius="0.04"'
@@ -143,6 +150,7 @@ in_joint = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0
 truly = {'laser_frame': Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))}
 
 # %% name="where-the-walls-are" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the map for each URDF.
 placed = {}
 for name, urdf in {'nothing written': URDF, 'in <visual>': in_visual, 'in <joint>': in_joint}.items():
     robot = lesson.TeachingRobot(urdf=urdf, screws=truly)
@@ -168,6 +176,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까?
 
 # %% name="laser-and-ghost" tags=["collapsed"] slide="subslide"
+# Draw the frames of TF, and the real laser.
 poses = lesson.link_poses(lesson.parse_urdf(in_visual))
 axes = {name: poses[name] for name in ('base_link', 'laser_frame')}
 real = Transform((0.0, 0.0, 0.2)) @ poses['base_link'] @ truly['laser_frame']  # higher, so that both can be seen
@@ -215,6 +224,7 @@ print('origin @ movement: the nose is at', lesson.fmt_all(head.apply(nose)))
 print('movement @ origin: the nose is at', lesson.fmt_all(misread.apply(nose)))
 
 # %% name="nod-or-roll-drawn" tags=["predicted", "collapsed"] slide="fragment"
+# Draw both heads.
 aside = Transform((1.9, -0.3, 0.0)) @ misread  # beside the other one, so that both can be seen
 noses = {'nose, 0.48 m lower': head.apply(nose), 'nose, not lower': aside.apply(nose)}
 lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='body', length_m=0.6)
@@ -245,6 +255,7 @@ lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='bo
 # `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 그림에서는 관절 하나의 변환을 도미노 하나로 그립니다. 이 변환을 모두 합성하면 팔 끝의 포즈가 나옵니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
 
 # %% name="arm-panel" tags=["interactive", "collapsed"]
+# Show the arm.
 lesson.joints_panel()
 
 # %% name="arm-still" tags=["static"]
@@ -346,11 +357,13 @@ from sensor_msgs.msg import JointState
 from tf2_ros import Buffer, TransformException, TransformListener
 
 # %% name="alone" tags=["collapsed"] slide="skip"
+# Start robot_state_publisher alone.
 graph = lesson.new_graph()  # the simulation; a new one whenever this cell runs
 robot = lesson.TeachingRobot()
 nodes = lesson.launch(graph, robot, only=['robot_state_publisher'])
 
 # %% name="the-tree-alone" tags=["predicted", "collapsed"] slide="fragment"
+# Draw the tree.
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="the-tree-alone-seen" tags=["predicted"]
@@ -426,6 +439,7 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 # %ros2 topic echo /robot_description --once
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -441,6 +455,7 @@ rclpy.shutdown()
 # 레이저는 `base_link`에서 0.15 m 위에 있고, `base_link`는 바닥에서 0.10 m 위에 있습니다. 합하면 **0.25 m**입니다. 조금 기울면 앞을 보는 빛은 0.25 / tan(각도)에서 바닥에 닿습니다.
 
 # %% name="how-far" tags=["collapsed"] slide="-"
+# Tilt the laser by 1° to 5°.
 def tilted(degrees):
     mount = Transform.from_rpy(pitch=math.radians(degrees), translation=(0.20, 0.0, 0.15))
     return lesson.TeachingRobot(screws={'laser_frame': mount})
@@ -460,6 +475,7 @@ for degrees in (1, 2, 3, 5):
 # 3D로 봅시다. 슬라이더(tilt = 기울기)를 움직이며 먼 벽을 보세요.
 
 # %% name="tilt-scene" tags=["collapsed"] slide="skip"
+# Prepare the 3D view.
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(-2.5, -6.5, 4.5), target=(3.0, 0.0, 0.0))
 lesson.draw_walls(scene)
@@ -472,6 +488,7 @@ def at_tilt(degrees):
     lesson.draw_scan(scene, 'scan', pose, scan.ranges[::4], scan.angle_min, 4 * scan.angle_increment)
 
 # %% name="tilt-sweep" tags=["interactive", "collapsed"]
+# Show the 3D view.
 scene.sweep('tilt', [0.5 * i for i in range(11)], at_tilt, unit='deg', start=6)
 scene
 
@@ -485,6 +502,7 @@ lesson.draw_placed({f'tilt {d}°': lesson.scan_on_map(tilted(d), at_s=1.0) for d
 # 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 다시 벽 위에 놓일까요?
 
 # %% name="tilt-placed" tags=["predicted", "collapsed"]
+# Draw the map for three cases.
 drawn = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" rpy="0 {math.radians(3)} 0"')
 level = lesson.scan_on_map(tilted(3), at_s=1.0)
 true = lesson.scan_on_map(lesson.TeachingRobot(urdf=drawn), at_s=1.0)
@@ -524,6 +542,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # IMU의 자이로는 각속도를 잽니다. 가속도계는 로봇의 가속도와, 중력에 맞서 IMU를 떠받치는 힘을 함께 잽니다. 둘 다 IMU 자신의 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
 
 # %% name="imu-reads" tags=["predicted", "collapsed"] slide="fragment"
+# Read the IMU at rest and in the bend.
 bend = lesson.Drive(legs=[lesson.Leg(2.0), lesson.Leg(6.0, 0.5, 0.5)])
 back = Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.05))
 imu = lesson.TeachingRobot(bend, screws={'imu_link': back}).imu
@@ -546,6 +565,7 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
 # 고장이 아닙니다. 실제로 달린 대로 URDF에 `rpy="3.1416 0 0"`이라고 적으면 `base_T_imu`의 회전이 모든 벡터를 바르게 바꿉니다. 벡터에는 이동 없이 회전만 적용합니다(`base_v = R @ imu_v`). 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
 
 # %% name="imu-arrows" tags=["collapsed"] slide="subslide"
+# Draw the IMU and its acceleration at rest.
 imu_link = {'base_link': Transform(), 'imu_link': Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.6))}
 up = (0.0, 0.0, rest.linear_acceleration[2])
 lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, fixed_frame='base_link', length_m=0.2)
@@ -677,10 +697,11 @@ for what, text in broken.items():
 # The lecture does not say how to start `robot_state_publisher` with its URDF (§11). Save the URDF as `robot.urdf`. The parameter takes the *text* of the file, so let the shell read it:
 #
 # ```
-# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ros2 run robot_state_publisher robot_state_publisher \
+#   --ros-args -p robot_description:="$(cat robot.urdf)"
 # ```
 #
-# Without the parameter the node stops with `robot_description parameter must not be empty`. (Here, `tflab` in front of `ros2` runs the same line.) Then look at what it publishes, and at the sensors:
+# Without the parameter the node stops with `robot_description parameter must not be empty`. (On a computer without ROS 2, put `tflab` in front of `ros2`, and the same command runs.) Then look at what it publishes, and at the sensors:
 #
 # ```
 # ros2 topic echo /robot_description --once        # the URDF that all nodes use
@@ -698,10 +719,11 @@ for what, text in broken.items():
 # 강의(§11)에는 이 URDF로 `robot_state_publisher`를 켜는 법이 나오지 않습니다. URDF를 `robot.urdf`로 저장합니다. 파라미터의 값은 파일 이름이 아니라 파일의 *내용*이므로, 셸이 읽어 넣게 합니다.
 #
 # ```
-# ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+# ros2 run robot_state_publisher robot_state_publisher \
+#   --ros-args -p robot_description:="$(cat robot.urdf)"
 # ```
 #
-# 파라미터가 없으면 노드는 `robot_description parameter must not be empty`라며 멈춥니다. (ROS 2가 없는 컴퓨터에서는 `ros2` 앞에 `tflab`을 붙이면 같은 줄을 실행할 수 있습니다.) 이제 무엇을 발행하는지, 센서는 어떤지 살펴봅니다.
+# 파라미터가 없으면 노드는 `robot_description parameter must not be empty`라며 멈춥니다. (ROS 2가 없는 컴퓨터에서는 `ros2` 앞에 `tflab`을 붙이면 같은 명령을 실행할 수 있습니다.) 이제 무엇을 발행하는지, 센서는 어떤지 살펴봅니다.
 #
 # ```
 # ros2 topic echo /robot_description --once        # 모든 노드가 받는 URDF
@@ -773,14 +795,16 @@ for what, text in broken.items():
 #
 # 아래는 더 알고 싶은 사람을 위한 것입니다. 공구의 tcp를 구하는 법, 중력으로 장착을 알아내는 법, 드문 관절, 복습 문제가 있습니다.
 
-# %% [markdown] lang="en" name="touch" slide="slide"
+# %% [markdown] lang="en" name="touch-heading" slide="slide"
 # ## How to find a tcp: touch a mark
-#
+
+# %% [markdown] lang="ko" name="touch-heading" slide="slide"
+# ## tcp의 위치 구하기: 표시에 대 보기
+
+# %% [markdown] lang="en" name="touch" slide="-"
 # Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`. The arm stands as in the figure above.
 
-# %% [markdown] lang="ko" name="touch" slide="slide"
-# ## tcp의 위치 구하기: 표시에 대 보기
-#
+# %% [markdown] lang="ko" name="touch" slide="-"
 # 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다. 팔의 자세는 앞의 그림과 같습니다.
 
 # %% name="touch-it" slide="-"
@@ -790,14 +814,16 @@ base_p_tip = (0.3563, 0.2491, 0.3546)  # where the mark is, measured with a rule
 tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
 print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 
-# %% [markdown] lang="en" name="gravity" slide="slide"
+# %% [markdown] lang="en" name="gravity-heading" slide="slide"
 # ## What gravity tells about a mount, and what it does not
-#
+
+# %% [markdown] lang="ko" name="gravity-heading" slide="slide"
+# ## 중력으로 알 수 있는 것과 알 수 없는 것
+
+# %% [markdown] lang="en" name="gravity" slide="-"
 # Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** with the reading at rest, which of these can you tell apart?
 
-# %% [markdown] lang="ko" name="gravity" slide="slide"
-# ## 중력으로 알 수 있는 것과 알 수 없는 것
-#
+# %% [markdown] lang="ko" name="gravity" slide="-"
 # roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 뒤집히지 않고 왼쪽으로 회전해 달린 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
 
 # %% name="what-gravity-tells" tags=["predicted"]
@@ -823,9 +849,13 @@ for name, rpy in mounts.items():
 # %% [markdown] lang="ko" name="gravity-notes" slide="notes"
 # 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
 
-# %% [markdown] lang="en" name="deeper" slide="skip"
+# %% [markdown] lang="en" name="deeper-heading" slide="skip"
 # ## What `robot_state_publisher` does with other joints
-#
+
+# %% [markdown] lang="ko" name="deeper-heading" slide="skip"
+# ## `robot_state_publisher`가 다른 관절을 다루는 법
+
+# %% [markdown] lang="en" name="deeper" slide="skip"
 # - A joint with `<mimic>` follows another one; a driver need not name it.
 # - A joint message that comes sooner than `publish_frequency` (20 Hz) allows is ignored. The transforms have the **stamp of the message**, not the current time.
 # - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
@@ -833,17 +863,19 @@ for name, rpy in mounts.items():
 # - If the root link has an inertia, the node prints: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
 
 # %% [markdown] lang="ko" name="deeper" slide="skip"
-# ## `robot_state_publisher`가 다른 관절을 다루는 법
-#
 # - `<mimic>`이 있는 관절은 다른 관절을 따라갑니다. 드라이버가 이름을 보내지 않아도 됩니다.
 # - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 무시합니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
 # - `frame_prefix`는 모든 좌표계 이름 앞에 붙습니다. URDF 하나로 로봇 두 대를 만듭니다(04장).
 # - `floating` 관절은 아예 발행하지 않고, `planar` 관절은 고정된 것으로 다룹니다.
 # - 루트 링크에 관성이 있으면 `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.`라는 WARN이 나옵니다. 해롭지 않으며, `base_link` 위에 `base_footprint`를 두어 없애는 것이 보통입니다.
 
-# %% [markdown] lang="en" name="from-before" slide="slide"
+# %% [markdown] lang="en" name="from-before-heading" slide="slide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="slide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. A detector detects a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
 # 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later receive?
 # 3. Which of `base_T_laser` and `laser_T_base` transforms a point that the laser measured into `base_link`?
@@ -856,9 +888,7 @@ for name, rpy in mounts.items():
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="slide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. 검출기가 `camera_optical_frame` 기준 (0, 0, 2)에서 컵을 봅니다. `camera_link` 기준으로는 어디입니까?
 # 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 참가한 수신기는 무엇을 받습니까?
 # 3. 레이저가 본 점을 `base_link` 기준으로 바꾸는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
@@ -871,9 +901,13 @@ for name, rpy in mounts.items():
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="slide"
+# %% [markdown] lang="en" name="practice-heading" slide="slide"
 # ## Practice question · Q14: the URDF's part
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="slide"
+# ## 서술형 문제 · Q14: URDF의 몫
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks for the rest.)
 #
 # <details><summary>What a full answer contains</summary>
@@ -885,9 +919,7 @@ for name, rpy in mounts.items():
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="slide"
-# ## 서술형 문제 · Q14: URDF의 몫
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **14.** URDF, 오도메트리, EKF, 위치 추정은 변환의 발행 책임을 어떻게 나눌 수 있습니까? URDF의 몫은 무엇이고 어디까지인지 써 보세요. (나머지는 12장에서 묻습니다.)
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

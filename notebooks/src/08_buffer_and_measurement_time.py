@@ -96,6 +96,7 @@ from tflab.workbook import lesson
 # 다음 셀은 로봇을 출발시킵니다. 상황을 준비하는 코드일 뿐이라 접어 두었습니다.
 
 # %% name="start-the-robot" tags=["collapsed"]
+# Start the robot.
 graph = lesson.new_graph()  # the simulation; a new one whenever this cell runs
 left, right = lesson.Leg(1.0, 0.5, 0.5), lesson.Leg(2.0, 0.5, -0.5)  # seconds, m/s, rad/s
 weave = [lesson.Leg(1.0), *3 * [left, right, left]]
@@ -168,6 +169,7 @@ print(len(finder.balls), "detections")
 # 다음 셀을 실행하기 전에 생각해 봅시다. 지도는 어떤 모습일까요? 지도만 보면 공이 몇 개라고 할까요?
 
 # %% name="one-ball" tags=["predicted", "collapsed"] slide="fragment"
+# Draw the path, the ball and the detections.
 drive = [robot.truth_at(seconds(0.1 * i))["base_link"].translation for i in range(131)]
 lesson.draw_detections(finder.balls, lesson.BALL, path=drive, how="transformed with Time()")
 
@@ -223,6 +225,7 @@ lesson.draw_detections(finder.balls, lesson.BALL, path=drive, how="transformed w
 # 두 숫자를 적어 두고 실행해 보세요.
 
 # %% name="run-error" tags=["predicted", "collapsed"] slide="fragment"
+# Calculate both errors.
 straight = lesson.Sight(speed_mps=1.0, yaw_rate_radps=0.0, range_m=5.0, delay_ns=seconds(0.2))
 turning = lesson.Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2))
 for name, sight in (("straight", straight), ("turning", turning)):
@@ -301,6 +304,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # *그림 읽기:* robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, object = 물체, from above = 위에서 본 모습, in 3D = 3D로, error = 오차, enlarged = 확대한 것, exactly = 정확한 값, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 포즈로 그린 것.
 
 # %% name="scene-of-the-delay" tags=["interactive", "collapsed"] slide="subslide"
+# Show the 3D view.
 lesson.show_latency()
 
 # %% name="picture-of-the-delay" tags=["static"]
@@ -323,6 +327,7 @@ lesson.draw_latency(turning)
 # - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 회전합니다. 관측은 몇 초 전의 것까지 써도 될까요?
 
 # %% name="slider" tags=["interactive", "collapsed"] slide="subslide"
+# Show the panel.
 lesson.latency_panel(turning)
 
 # %% name="slider-still" tags=["static"]
@@ -377,6 +382,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # `map → odom`에는 1초에 표본 하나, `odom → base_link`에는 1초에 네 개가 있고 x 방향으로 초속 1 m로 나아갑니다. 레이저는 0.20 m 앞에 달려 있습니다.
 
 # %% name="small-buffer" tags=["collapsed"]
+# Fill a small buffer.
 small = Buffer()
 mount = StampedTransform("base_link", "laser_frame", seconds(1.0), Transform((0.20, 0.0, 0.15)))
 small.core.set_transform(mount, is_static=True)
@@ -387,6 +393,7 @@ for i in range(14):  # odom -> base_link, four times a second, at 1 m/s
     small.core.set_transform(StampedTransform("odom", "base_link", seconds(1.5 + 0.25 * i), pose))
 
 # %% name="three-lanes" tags=["collapsed"] slide="subslide"
+# Draw its timelines.
 lesson.draw_history(small.core, "map", "laser_frame", seconds(3.4))
 
 # %% [markdown] lang="en" name="between" slide="slide"
@@ -481,6 +488,7 @@ print("stamp of the message:", Time.from_msg(finder.messages[-1].header.stamp).n
 # 이제 작은 버퍼에서 요청 시각을 끌어 시간줄의 양쪽 끝을 넘어가 보세요.
 
 # %% name="drag-the-query" tags=["interactive", "collapsed"] slide="subslide"
+# Show the panel.
 frames = ("odom", "base_link", "laser_frame")
 timelines = [lesson.lane_from_history(small.core.history(child)) for child in frames]
 lesson.timeline_panel("map", "laser_frame", timelines, small.core.lookup_transform, seconds(3.4))
@@ -547,6 +555,7 @@ print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y
 points = [finder.buffer.transform(message, "map").point for message in finder.messages]
 
 # %% name="one-ball-drawn" tags=["collapsed"] slide="fragment"
+# Draw the detections, transformed at both times.
 ways = {
     "newest pose: Time()": np.array(finder.balls),
     "pose at the stamp": np.array([(point.x, point.y, point.z) for point in points]),
@@ -839,7 +848,8 @@ node.stop()
 #         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
 #         self.listener = TransformListener(self.buffer, self)
 #         self.publisher = self.create_publisher(PointStamped, 'point_in_map', 10)
-#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id or Time.from_msg(message.header.stamp).nanoseconds == 0:
@@ -898,7 +908,8 @@ node.stop()
 #         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
 #         self.listener = TransformListener(self.buffer, self)
 #         self.publisher = self.create_publisher(PointStamped, 'point_in_map', 10)
-#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#         self.subscription = self.create_subscription(
+#             PointStamped, 'detected_point', self.on_point, 10)
 #
 #     def on_point(self, message):
 #         if not message.header.frame_id or Time.from_msg(message.header.stamp).nanoseconds == 0:
@@ -996,9 +1007,13 @@ node.stop()
 #
 # 아래는 더 알고 싶은 사람을 위한 것입니다. 시각을 바꾸어 보는 실험, 강의의 파일, 증상별 표, 복습 문제가 있습니다.
 
-# %% [markdown] lang="en" name="try-it" slide="slide"
+# %% [markdown] lang="en" name="try-it-heading" slide="slide"
 # ## Try it: other times, and a drive without curves
-#
+
+# %% [markdown] lang="ko" name="try-it-heading" slide="slide"
+# ## 직접 해 보세요: 다른 시각, 그리고 회전 없는 주행
+
+# %% [markdown] lang="en" name="try-it" slide="-"
 # - In the cell with the two blanks, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now the latest common time is 13.1 s, so `Time()` returns that pose for every message. The older the message, the larger the error.)
 # - Look up 100 ms before the stamp. Is that better or worse than 100 ms after it?
 # - In the folded cell that starts the robot, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small component, speed × delay.
@@ -1011,9 +1026,7 @@ node.stop()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="try-it" slide="slide"
-# ## 직접 해 보세요: 다른 시각, 그리고 회전 없는 주행
-#
+# %% [markdown] lang="ko" name="try-it" slide="-"
 # - 빈칸이 두 개 있던 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지를 쓰든 13.1초의 변환입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
 # - 측정 시각보다 100 ms 이전의 변환을 조회해 보세요. 100 ms 이후의 변환보다 나을까요, 나쁠까요?
 # - 로봇을 출발시킨 셀(접혀 있습니다)로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보세요. 작은 성분인 속도 × 지연만 남습니다.
@@ -1026,14 +1039,16 @@ node.stop()
 #
 # </details>
 
-# %% [markdown] lang="en" name="shortest-arc-ask" slide="slide"
+# %% [markdown] lang="en" name="shortest-arc-ask-heading" slide="slide"
 # ## Between 170° and −170°: the shortest arc
-#
+
+# %% [markdown] lang="ko" name="shortest-arc-ask-heading" slide="slide"
+# ## 170°와 −170° 사이: 가장 짧은 호
+
+# %% [markdown] lang="en" name="shortest-arc-ask" slide="-"
 # **Predict.** At 1.0 s the yaw is 170°, at 2.0 s it is −170°. What is it at 1.5 s: 0° or 180°?
 
-# %% [markdown] lang="ko" name="shortest-arc-ask" slide="slide"
-# ## 170°와 −170° 사이: 가장 짧은 호
-#
+# %% [markdown] lang="ko" name="shortest-arc-ask" slide="-"
 # **예측해 봅시다.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°일까요, 180°일까요?
 
 # %% name="shortest-arc" tags=["predicted"] slide="fragment"
@@ -1055,9 +1070,13 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
 # 어느 프로그래밍 언어에서나 흔한 버그입니다. 연습 문제에서 한 번 더 만들어 볼 수 있습니다.
 
-# %% [markdown] lang="en" name="walls-twice" slide="slide"
+# %% [markdown] lang="en" name="walls-twice-heading" slide="slide"
 # ## Walls drawn twice: an overwritten stamp on a laser
-#
+
+# %% [markdown] lang="ko" name="walls-twice-heading" slide="slide"
+# ## 두 번 그린 벽: 레이저의 측정 시각을 덮어쓰면
+
+# %% [markdown] lang="en" name="walls-twice" slide="-"
 # A filter holds each scan for 0.3 s. The walls are drawn twice, from the same scans. Only the time of the lookup differs:
 #
 # ```python
@@ -1065,9 +1084,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # buffer.lookup_transform("map", "laser_frame", node.get_clock().now())  # right: a fresh stamp on arrival
 # ```
 
-# %% [markdown] lang="ko" name="walls-twice" slide="slide"
-# ## 두 번 그린 벽: 레이저의 측정 시각을 덮어쓰면
-#
+# %% [markdown] lang="ko" name="walls-twice" slide="-"
 # 필터를 거치는 데 0.3초가 걸립니다. 같은 스캔으로 벽을 두 번 그려 봅니다. 조회하는 시각만 다릅니다.
 #
 # ```python
@@ -1078,6 +1095,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # *그림 읽기:* the laser's stamp = 레이저의 측정 시각(왼쪽), a fresh stamp on arrival = 도착할 때 새로 적은 시각(오른쪽).
 
 # %% name="scans" tags=["collapsed"]
+# Record scans that a filter holds for 0.3 s.
 filtered = {"laser": lesson.Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
 held = lesson.TeachingRobot(plan, bias=0.0, slip=0.0005, sources=filtered)
 poses = held.buffer(until_s=14.0, cache_time_s=30.0)
@@ -1092,6 +1110,7 @@ def placed(stamp_of):
     return np.vstack(walls)
 
 # %% name="smear" tags=["collapsed"] slide="subslide"
+# Draw the walls with both stamps.
 at_stamp = placed(lambda heard: heard.value.stamp_ns)
 ways = {
     "the laser's stamp": at_stamp,
@@ -1116,6 +1135,7 @@ lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 # 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 측정 시각의 변환을 쓰면 됩니다. *그림 읽기:* one stamp a scan = 스캔마다 시각 하나, one stamp a ray = 광선마다 시각 하나.
 
 # %% name="ray-by-ray" tags=["collapsed"]
+# Draw the walls with one stamp a scan, and one a ray.
 rays = []
 for heard in scans:
     for ray_stamp_ns, point in zip(heard.value.ray_stamps_ns, heard.value.points(), strict=True):
@@ -1133,9 +1153,13 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 # 10 Hz로 훑는 레이저와 0.5 rad/s로 회전하는 로봇이면, 한 번 훑는 사이에 0.05 rad 회전하고 5 m 앞에서 25 cm가 된다고 말해 줍니다.
 # 그리고 다시 정리합니다. 실제 번짐의 대부분은 측정 시각이 원인이고, 고치는 데 비용이 들지 않습니다.
 
-# %% [markdown] lang="en" name="break-slow" slide="slide"
+# %% [markdown] lang="en" name="break-slow-heading" slide="slide"
 # ## Odometry once a second: which detections can be transformed?
-#
+
+# %% [markdown] lang="ko" name="break-slow-heading" slide="slide"
+# ## 초당 한 번뿐인 오도메트리: 몇 개나 변환될까요?
+
+# %% [markdown] lang="en" name="break-slow" slide="-"
 # The odometry is now published at 1 Hz instead of 20. The camera still detects the ball five times a second, and each detection arrives 0.2 s after its stamp. On arrival, the node makes one call:
 #
 # ```python
@@ -1144,9 +1168,7 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 #
 # **Predict:** of about forty such calls, how many return a transform?
 
-# %% [markdown] lang="ko" name="break-slow" slide="slide"
-# ## 초당 한 번뿐인 오도메트리: 몇 개나 변환될까요?
-#
+# %% [markdown] lang="ko" name="break-slow" slide="-"
 # 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정한 지 0.2초 뒤에 도착합니다. 도착하면 노드는 이렇게 조회합니다.
 #
 # ```python
@@ -1156,6 +1178,7 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 # **예측해 봅시다.** 관측은 마흔 개쯤입니다. 이 조회가 몇 번이나 성공할까요?
 
 # %% name="slow-odometry" tags=["predicted", "collapsed"] slide="fragment"
+# Look each detection up when it arrives.
 slow_wheels = {"odometry": lesson.Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
 slow = lesson.TeachingRobot(plan, bias=0.0, slip=0.0005, sources=slow_wheels)
 answered, refusals = 0, []
@@ -1184,17 +1207,19 @@ print(refusals[0])
 # 방법은 셋이며, 이 순서로 시도합니다. 오도메트리를 더 자주 발행합니다. 필요한 표본이 올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
 # `Time()`은 여기에 없습니다. 언제나 값이 나오지만, 최대 1초 전의 포즈입니다.
 
-# %% [markdown] lang="en" name="break-type" slide="slide"
+# %% [markdown] lang="en" name="break-type-heading" slide="slide"
 # ## A forgotten import: an exception that slips through
-#
+
+# %% [markdown] lang="ko" name="break-type-heading" slide="slide"
+# ## 빠뜨린 import: 잡히지 않는 예외
+
+# %% [markdown] lang="en" name="break-type" slide="-"
 # How does `transform()` know what to do with a `PointStamped`?
 # Importing `tf2_geometry_msgs` registers the conversion. The import looks unused, so one day a tidy colleague deletes it.
 #
 # This page imported the conversions for points but not those for point clouds, `tf2_sensor_msgs`:
 
-# %% [markdown] lang="ko" name="break-type" slide="slide"
-# ## 빠뜨린 import: 잡히지 않는 예외
-#
+# %% [markdown] lang="ko" name="break-type" slide="-"
 # `transform()`은 `PointStamped`의 변환 방법을 어디에서 얻을까요?
 # `tf2_geometry_msgs`를 import할 때 등록됩니다. 쓰이지 않는 import처럼 보이므로, 정리하다가 지우기 쉽습니다.
 #
@@ -1224,14 +1249,16 @@ except TransformException as error:
 # %% [markdown] lang="ko" name="forgotten-import-notes" slide="notes"
 # 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 묻습니다. 이 import는 남아야 하고, 옆에 주석을 달아 두면 지워지지 않습니다.
 
-# %% [markdown] lang="en" name="break-years" slide="slide"
+# %% [markdown] lang="en" name="break-years-heading" slide="slide"
 # ## Fifty years: two clocks on one robot
-#
+
+# %% [markdown] lang="ko" name="break-years-heading" slide="slide"
+# ## 오십 년: 시계가 둘인 로봇
+
+# %% [markdown] lang="en" name="break-years" slide="-"
 # Now the story from the beginning, with its own numbers: TF in simulation time, and a node in system time (wall time):
 
-# %% [markdown] lang="ko" name="break-years" slide="slide"
-# ## 오십 년: 시계가 둘인 로봇
-#
+# %% [markdown] lang="ko" name="break-years" slide="-"
 # 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 시스템 시간(wall time)을 따릅니다.
 
 # %% name="fifty-years" tags=["raises-exception"]
@@ -1246,15 +1273,17 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # %% [markdown] lang="ko" name="fifty-years-read"
 # 두 숫자가 이렇게 멀면 네트워크 지연이 원인일 수 없습니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
 
-# %% [markdown] lang="en" name="how-long" slide="slide"
+# %% [markdown] lang="en" name="how-long-heading" slide="slide"
 # ## How long must the buffer remember?
-#
+
+# %% [markdown] lang="ko" name="how-long-heading" slide="slide"
+# ## 버퍼는 얼마나 오래 기억해야 할까요?
+
+# %% [markdown] lang="en" name="how-long" slide="-"
 # A buffer forgets. Each timeline keeps its samples for the [[cache time]], ten seconds by default, counted back from its newest one.
 # If your computation takes longer than that, the sample is gone:
 
-# %% [markdown] lang="ko" name="how-long" slide="slide"
-# ## 버퍼는 얼마나 오래 기억해야 할까요?
-#
+# %% [markdown] lang="ko" name="how-long" slide="-"
 # 버퍼는 오래된 것을 지웁니다. 시간줄마다 최신 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 보관합니다. 따로 정하지 않으면 10초입니다.
 # 계산이 그보다 오래 걸리면, 필요한 표본은 이미 지워지고 없습니다.
 
@@ -1278,9 +1307,13 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 #
 # 2초 걸리는 검출기와 4 Hz 연결이 있는 경로라면 2.25초입니다. 넉넉히 잡으십시오. 메모리는 비싸지 않습니다.
 
-# %% [markdown] lang="en" name="two-moments" slide="slide"
+# %% [markdown] lang="en" name="two-moments-heading" slide="slide"
 # ## Two times in one lookup: `lookup_transform_full`
-#
+
+# %% [markdown] lang="ko" name="two-moments-heading" slide="slide"
+# ## 두 시각을 한 번에: `lookup_transform_full`
+
+# %% [markdown] lang="en" name="two-moments" slide="-"
 # A ball was detected at 7.4 s. A planner computes with that detection for one second. Now, at 8.4 s, it has to steer.
 # So it needs the ball of *then* in the base_link of *now*.
 #
@@ -1288,9 +1321,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # `lookup_transform_full` follows the path from the camera at the **first** time up to `odom`, and down to `base_link` at the **second** time.
 # Its arguments are two frames, each followed by its own time, and the fixed frame.
 
-# %% [markdown] lang="ko" name="two-moments" slide="slide"
-# ## 두 시각을 한 번에: `lookup_transform_full`
-#
+# %% [markdown] lang="ko" name="two-moments" slide="-"
 # 경로 계획기가 7.4초에 본 공을 두고 1초 동안 계산합니다. 이제 8.4초이고, 조향하려고 합니다.
 # 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
@@ -1310,6 +1341,7 @@ print(f"base_link then: ({old.x:.2f}, {old.y:.2f})   base_link now: ({fresh.x:.2
 print(f"the truth now:  ({truth[0]:.2f}, {truth[1]:.2f})")
 
 # %% name="picture-of-two-moments" tags=["collapsed"] slide="subslide"
+# Draw the ball as seen from both poses.
 ball = finder.buffer.transform(message, "odom").point
 moments = {f"base_link, {moment.nanoseconds / 1e9:.1f} s": moment for moment in (stamp, now)}
 poses_then = {
@@ -1340,14 +1372,16 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # 직접 걸어 보입니다. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 발 걷고 방향을 바꾼 다음, 처음에 말한 곳을 가리킵니다.
 # 바닥은 움직이지 않았습니다. odom이 하는 일이 바로 그것입니다.
 
-# %% [markdown] lang="en" name="lecture-file" slide="skip"
+# %% [markdown] lang="en" name="lecture-file-heading" slide="skip"
 # ## The lecture's file, as it is (§17, §18)
-#
+
+# %% [markdown] lang="ko" name="lecture-file-heading" slide="skip"
+# ## 강의의 파일 그대로(§17, §18)
+
+# %% [markdown] lang="en" name="lecture-file" slide="skip"
 # Compare it with the file to take home. It waits inside its callback, and it ends with `rclpy.shutdown()`.
 
 # %% [markdown] lang="ko" name="lecture-file" slide="skip"
-# ## 강의의 파일 그대로(§17, §18)
-#
 # 가져갈 파일과 비교해 보세요. 이 파일은 콜백 안에서 기다리고, `rclpy.shutdown()`으로 끝납니다.
 
 # %% [markdown] lang="en" name="the-file" slide="skip"
@@ -1482,14 +1516,16 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # )
 # ```
 
-# %% [markdown] lang="en" name="topic-delay-why" slide="slide"
+# %% [markdown] lang="en" name="topic-delay-why-heading" slide="slide"
 # ## Is your robot's data old? Symptoms and first looks
-#
+
+# %% [markdown] lang="ko" name="topic-delay-why-heading" slide="slide"
+# ## 여러분 로봇의 데이터는 얼마나 오래되었을까요? 증상과 첫 확인
+
+# %% [markdown] lang="en" name="topic-delay-why" slide="-"
 # `ros2 topic delay` prints arrival minus stamp:
 
-# %% [markdown] lang="ko" name="topic-delay-why" slide="slide"
-# ## 여러분 로봇의 데이터는 얼마나 오래되었을까요? 증상과 첫 확인
-#
+# %% [markdown] lang="ko" name="topic-delay-why" slide="-"
 # `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
 
 # %% name="topic-delay"
@@ -1519,9 +1555,13 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | 데이터의 나이, `cache_time` |
 # | 서 있으나 움직이나 똑같이 어긋남 | 정적 장착 변환의 오류 | `tf2_echo base_link laser_frame` |
 
-# %% [markdown] lang="en" name="from-before" slide="slide"
+# %% [markdown] lang="en" name="from-before-heading" slide="slide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="slide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # <details><summary>01. A message contains (2.0, 0.0, 0.0). Which two things must you know before you use it?</summary>
 #
 # Its frame and its stamp.
@@ -1540,9 +1580,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="slide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # <details><summary>01. 메시지에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
 #
 # 좌표계와 측정 시각입니다. 어느 좌표계의 x 방향으로 2 m인지, 그리고 언제 측정했는지입니다.
@@ -1561,9 +1599,13 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="slide"
+# %% [markdown] lang="en" name="practice-heading" slide="slide"
 # ## Practice question · Q10: why at the measurement stamp?
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="slide"
+# ## 서술형 문제 · Q10: 왜 측정 시각입니까?
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **Q10.** Why must a sensor message be transformed at its measurement stamp, and not with the newest transform? Write five lines, then open the rubric and mark yourself.
 #
 # <details><summary>Rubric: one point for each idea in your text</summary>
@@ -1578,9 +1620,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="slide"
-# ## 서술형 문제 · Q10: 왜 측정 시각입니까?
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 바꾸어야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점해 보세요.
 #
 # <details><summary>채점 기준: 아래 내용이 하나 들어 있을 때마다 1점</summary>

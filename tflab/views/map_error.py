@@ -30,7 +30,11 @@ CAPTION_PX, LINE_PX, TITLE_PX, GAP_PX, EDGE_PX, TICKS_PX = 62, 14, 34, 18, 16, 5
 LOWEST_PX, HIGHEST_PX = 130, 360
 MARGIN_M = 0.3
 RING_PT = 11.0
-ENLARGED_PX, ENLARGED_PART = 280, 1.3  # how tall it is; its half height is this many times the largest error
+NARROW_PX, ENLARGED_PX, ENLARGED_PART = (
+    540,
+    240,
+    1.3,
+)  # how wide both are, how tall the lower is; its half height is this many times the largest error
 
 
 class PointErrors(NamedTuple):
@@ -159,13 +163,14 @@ def draw_detections(
 
     points, path, (ball,) = _flat(points), _flat(path), _flat([ball])
     error = point_errors(points, things=[ball])
-    across_px, below_px = round(style.WIDE[0] * style.SCREEN_DPI) - TICKS_PX - EDGE_PX, CAPTION_PX - LINE_PX
+    across_px, below_px = NARROW_PX - TICKS_PX - EDGE_PX, CAPTION_PX - LINE_PX
     half_m = ENLARGED_PART * error.worst_m * np.array((across_px / ENLARGED_PX, 1.0))
     enlarged = np.array((ball - half_m, ball + half_m))
     everything = np.vstack((path, enlarged))
     low, high = everything.min(axis=0) - MARGIN_M / 2, everything.max(axis=0) + MARGIN_M / 2
     up_px = max(LOWEST_PX, across_px * (high[1] - low[1]) / (high[0] - low[0]))
-    picture = Picture(style.wide(EDGE_PX + up_px + 2 * below_px + ENLARGED_PX))
+    height_px = EDGE_PX + up_px + 2 * below_px + ENLARGED_PX
+    picture = Picture((NARROW_PX / style.SCREEN_DPI, height_px / style.SCREEN_DPI))
     with style.our_settings():
         near = picture.add_axes_px(TICKS_PX, below_px, across_px, ENLARGED_PX)
         far = picture.add_axes_px(TICKS_PX, 2 * below_px + ENLARGED_PX, across_px, up_px)
@@ -182,7 +187,7 @@ def draw_detections(
         for ax, text, at, colour in (
             (far, "the robot's path", (path[0, 0], path[:, 1].max() + 0.15), style.INK),
             (near, "ball (true position)", (ball[0] + 0.05, ball[1]), style.INK),
-            (near, f"detections, {how}", (points[:, 0].max() + 0.03, points[:, 1].max()), style.ACCENT),
+            (near, f"detections,\n{how}", (points[:, 0].max() + 0.03, points[:, 1].max()), style.ACCENT),
         ):
             ax.text(*at, text, va="center", color=colour)
         near.set_xlabel(f"off by {style.fmt(error.mean_m)} on average, {style.fmt(error.worst_m)} at worst", loc="left")
