@@ -788,7 +788,7 @@ lesson.draw_lanes(called)
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
-# 경고는 사라지고, 모든 스캔에 측정 0.4초 뒤의 레이저 포즈가 쓰입니다. 앞에서 그 그림을 보았습니다.
+# 경고는 사라지고, 스캔마다 측정하고 0.4초 지난 다음의 레이저 포즈가 쓰입니다. 앞에서 그 그림을 보았습니다.
 #
 # </details>
 #

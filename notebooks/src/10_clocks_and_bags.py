@@ -757,8 +757,11 @@ lesson.draw_ages(curves, "age of the newest transform")
 #         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
 #         self.listener = TransformListener(self.buffer, self)
 #         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
-#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
 #         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def on_scan(self, scan):
+#         self.waiting.append(scan)
 #
 #     def report(self):
 #         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
@@ -819,8 +822,11 @@ lesson.draw_ages(curves, "age of the newest transform")
 #         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
 #         self.listener = TransformListener(self.buffer, self)
 #         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
-#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
 #         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def on_scan(self, scan):
+#         self.waiting.append(scan)
 #
 #     def report(self):
 #         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
