@@ -480,7 +480,7 @@ for target, source, second in (
 # 간격이 양수이면 미래 외삽입니다.
 
 # %% name="robot-a" tags=["collapsed"] slide="subslide"
-# Run robot A for seven seconds.
+# Run robot A until 7 s.
 from rclpy.duration import Duration
 
 graph = lesson.new_graph()  # a fresh robot; its clock stands at 1 s
@@ -492,7 +492,7 @@ graph.disturb('/tf')  # ... and recovers
 graph.run(seconds=2.5)
 
 # %% name="robot-b" tags=["collapsed"] slide="-"
-# Run robot B for seven seconds.
+# Run robot B until 7 s.
 graph = lesson.new_graph()
 lesson.launch(graph)
 robot_b = lesson.run_node(lesson.GapWatcher, 2.0)
