@@ -58,12 +58,8 @@
 #
 # </details>
 
-# %% name="load" tags=["collapsed"] slide="skip"
+# %% name="load" slide="skip"
 # %load_ext tflab
-from collections import deque
-
-from tf2_ros import Buffer
-from tflab.core import StampedTransform, Transform, seconds
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
@@ -96,6 +92,10 @@ from tflab.workbook import lesson
 # *그림 읽기:* stamped (robot's clock) = 측정(로봇의 시계), sent (robot's clock) = 송신(로봇의 시계), received (desktop's clock) = 수신(데스크톱의 시계), dropped = 버림, on each clock = 저마다의 시계로. “62 ms, dropped”는 측정 시각에서 62 ms 뒤에 수신했지만 데스크톱이 변환을 찾지 못해 그 스캔을 버렸다는 뜻입니다.
 
 # %% name="story-picture" tags=["collapsed"] slide="subslide"
+# Draw the ways of three scans.
+from tf2_ros import Buffer
+from tflab.core import StampedTransform, Transform, seconds
+
 lesson.draw_journeys([
     lesson.Journey('scan 1', seconds(10.000), seconds(10.105), seconds(10.062)),
     lesson.Journey('scan 2', seconds(10.100), seconds(10.205), seconds(10.163)),
@@ -135,6 +135,7 @@ lesson.draw_journeys([
 # 나머지 두 연결은 나사로 고정되어 있습니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간.
 
 # %% name="four-edges" tags=["collapsed"] slide="-"
+# Make such a buffer.
 def four_edges(ahead_s=0.0):  # how far ahead the localiser dates its transforms
     made = Buffer()
     store = made.core.set_transform  # the engine inside tf2_ros.Buffer
@@ -148,10 +149,9 @@ def four_edges(ahead_s=0.0):  # how far ahead the localiser dates its transforms
         store(StampedTransform(parent, child, 0, Transform((x, 0.0, z))), 'urdf', is_static=True)
     return made
 
-
-buffer = four_edges()
-
 # %% name="windows" tags=["collapsed"] slide="subslide"
+# Draw its timelines, with a lookup at 12.3 s.
+buffer = four_edges()
 lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
@@ -480,6 +480,7 @@ for target, source, second in (
 # 간격이 양수이면 미래 외삽입니다.
 
 # %% name="robot-a" tags=["collapsed"] slide="subslide"
+# Run robot A until 7 s.
 from rclpy.duration import Duration
 
 graph = lesson.new_graph()  # a fresh robot; its clock stands at 1 s
@@ -491,6 +492,7 @@ graph.disturb('/tf')  # ... and recovers
 graph.run(seconds=2.5)
 
 # %% name="robot-b" tags=["collapsed"] slide="-"
+# Run robot B until 7 s.
 graph = lesson.new_graph()
 lesson.launch(graph)
 robot_b = lesson.run_node(lesson.GapWatcher, 2.0)
@@ -508,6 +510,7 @@ graph.run(seconds=4)
 # **예측해 봅시다.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요? (*그림 읽기:* gap = 간격, limit = 기다리는 한도)
 
 # %% name="two-gaps-first" tags=["collapsed"] slide="-"
+# Draw the gaps of both robots up to 4 s.
 lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)], 'gap', limit_s=0.1)
 
 # %% [markdown] lang="en" name="late-notes" slide="notes"
@@ -523,6 +526,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # 처음 1초 동안은 똑같아 보입니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" tags=["predicted", "collapsed"] slide="-"
+# Draw the gaps of both robots up to 7 s.
 lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
 
 # %% [markdown] lang="en" name="two-gaps-read" tags=["predicted"] slide="subslide"
@@ -586,6 +590,7 @@ class ScanPlacer(lesson.WaitingNode):  # a node with self.buffer, which receives
             self.failures += 1
 
 # %% name="plaster-run" tags=["predicted", "collapsed"] slide="-"
+# Run ScanPlacer on robot B.
 from rclpy.executors import MultiThreadedExecutor
 
 graph = lesson.new_graph()
@@ -596,11 +601,11 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
 # There is not one warning. The users of the story seem to be right.
-# Now draw the points of the curve, beside their true positions.
+# Now draw the points of the curve. The grey lines are the real walls.
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
 # 경고가 하나도 없습니다. 인터넷 게시글의 말이 맞는 것처럼 보입니다.
-# 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리와 나란히 그려 봅시다.
+# 이제 굽이에서 얻은 점들이 어디에 찍혔는지 그려 봅시다. 회색 선이 실제 벽입니다.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
 # Before the picture, take a vote: is the map right or wrong? The log shows no warning, so most will say right.
@@ -611,6 +616,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 # 그림을 본 다음, 처음에 손을 들었던 사람들에게 다시 묻습니다.
 
 # %% name="plaster-picture" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the last ten scans on the map.
 bend = placer.answers[-10:]
 lesson.draw_placed({
     'as measured': lesson.walls_seen(placer.buffer, bend, clock_error_s=0.3),
@@ -625,7 +631,7 @@ lesson.draw_placed({
 # **Waiting fixes a delay. It does not fix a clock: it hides the fault.**
 
 # %% [markdown] lang="ko" name="plaster-read" tags=["predicted"] slide="subslide"
-# *그림 읽기:* as measured = 측정한 그대로, with the wait that "works" = “통한다는” 기다림으로, off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
+# *그림 읽기:* as measured = 측정한 그대로, with the wait that "works" = “통한다는” 기다림으로, x / y in map = map 기준 x / y, off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
 #
 # 기다림은 매번 성공했습니다. 잠시 뒤 *틀린* 시각의 변환까지 버퍼에 들어왔기 때문입니다.
 # 그래서 측정하고 0.3초 **지난 다음**의 레이저 위치가 나왔습니다. 필요한 것은 측정한 시각의 위치였습니다.
@@ -679,6 +685,7 @@ print(*patient.answers, sep='\n')
 # 그런데 왜 회복되지 않을까요? 마지막에는 2.595초의 변환을 조회하지만, 버퍼의 최신 변환은 1.146초의 변환입니다. 기다릴수록 버퍼가 더 뒤처집니다.
 
 # %% name="lanes-picture" tags=["predicted", "collapsed"] slide="subslide"
+# Draw when the node was busy.
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"
@@ -714,7 +721,7 @@ lesson.draw_lanes(patient)
 # 더 어려운 상황을 만들려고, 이제 변환마다 0.15초씩 더 늦게 도착하게 합니다.
 
 # %% name="called-node" slide="subslide"
-waiting = deque()
+waiting = []
 
 
 class Called(lesson.WaitingNode):
@@ -724,13 +731,14 @@ class Called(lesson.WaitingNode):
         future.add_done_callback(self.on_answer)
         waiting.append(future)
         if len(waiting) > 3:  # at most three: the oldest is cancelled
-            waiting.popleft().cancel()
+            waiting.pop(0).cancel()
 
     def on_answer(self, future):
         if not future.cancelled():
             self.answers.append(future.result().transform.translation)
 
 # %% name="called-run" tags=["collapsed"] slide="-"
+# Run Called on robot C, and draw when it was busy.
 waiting.clear()  # of an earlier run
 called = lesson.on_robot_c(Called, delay_s=0.15)  # one thread
 print(len(called.busy), 'scans,', len(called.answers), 'answered')
@@ -780,7 +788,7 @@ lesson.draw_lanes(called)
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
-# 경고는 사라지고, 모든 스캔에 측정 0.4초 뒤의 레이저 포즈가 쓰입니다. 앞에서 그 그림을 보았습니다.
+# 경고는 사라지고, 스캔마다 측정하고 0.4초 지난 다음의 레이저 포즈가 쓰입니다. 앞에서 그 그림을 보았습니다.
 #
 # </details>
 #
@@ -1070,17 +1078,20 @@ lesson.draw_lanes(called)
 #
 # 아래는 더 알고 싶은 사람을 위한 절입니다. 제목을 누르면 펼쳐집니다.
 
-# %% [markdown] lang="en" name="slider" slide="slide"
+# %% [markdown] lang="en" name="slider-heading" slide="slide"
 # ## Drag the lookup out of the buffer
-#
+
+# %% [markdown] lang="ko" name="slider-heading" slide="slide"
+# ## 요청 시각을 버퍼 밖으로 끌어 봅시다
+
+# %% [markdown] lang="en" name="slider" slide="-"
 # Move the requested time past either end, slowly. Watch three things: where the lookup begins to fail, which number in the text stays the same, and what LATEST means. The boundary is sharp: at 14.000000000 s there is an answer, a nanosecond later there is none.
 
-# %% [markdown] lang="ko" name="slider" slide="slide"
-# ## 요청 시각을 버퍼 밖으로 끌어 봅시다
-#
+# %% [markdown] lang="ko" name="slider" slide="-"
 # 요청 시각을 양쪽 끝 너머로 천천히 끌어 보세요. 어디서부터 실패하는지, 오류 메시지에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지 살펴보세요. 경계는 정확합니다. 14.000000000초의 값은 나오지만 1나노초만 미래여도 나오지 않습니다.
 
 # %% name="slider-panel" tags=["interactive", "collapsed"] slide="-"
+# Show the panel.
 lanes = lesson.draw_history(buffer, 'map', 'laser_frame').timeline.lanes
 lesson.timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
 
@@ -1089,13 +1100,9 @@ lesson.draw_history(four_edges(), 'map', 'laser_frame', seconds(14.3))
 
 # %% [markdown] lang="en" name="more-exceptions" slide="slide"
 # ## Four more exceptions to cause
-#
-# A name that you never typed, an edge with one sample, an invalid argument, and two faults at once.
 
 # %% [markdown] lang="ko" name="more-exceptions" slide="slide"
 # ## 더 만들어 볼 예외 네 가지
-#
-# 직접 입력한 적 없는 이름, 표본이 하나뿐인 연결, 올바르지 않은 인자, 그리고 한꺼번에 생긴 두 결함입니다.
 
 # %% [markdown] lang="en" name="header-why" slide="subslide"
 # ### A name that you never typed
@@ -1210,16 +1217,12 @@ for when in (Time(seconds=99), Time()):
 
 # %% [markdown] lang="en" name="one-way" slide="subslide"
 # ## What one-way times cannot tell you
-#
-# A delay of +0.3 s that never changes: is it the network, or a clock?
 
 # %% [markdown] lang="ko" name="one-way" slide="subslide"
 # ## 한 방향의 시각만으로는 알 수 없는 것
-#
-# 언제나 똑같이 +0.3초인 지연은 네트워크 때문일까요, 시계 때문일까요?
 
 # %% [markdown] lang="en" name="honest-limit" slide="-"
-# It may be a slow network, or a publisher whose clock is 0.3 s *behind*.
+# A constant delay of +0.3 s may be a slow network, or a publisher whose clock is 0.3 s *behind*.
 # From one-way times alone, **nobody** can separate the two: both add the same number to every message.
 # You need a message that goes there *and back*. `chrony` and NTP use such messages, so use them to compare the clocks of two computers. For example:
 #
@@ -1232,7 +1235,7 @@ for when in (Time(seconds=99), Time()):
 # And there is a case without an error. A sensor clock that is *behind* leads to lookups in the past. The buffer answers, as far back as its cache time: no exception, no warning, and a robot that is wrong all day.
 
 # %% [markdown] lang="ko" name="honest-limit" slide="-"
-# 느린 네트워크일 수도 있고, 시계가 0.3초 *뒤처진* 발행자일 수도 있습니다.
+# 지터 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *뒤처진* 발행자일 수도 있습니다.
 # 한 방향의 시각만으로는 **누구도** 둘을 구별할 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
 # 갔다가 *되돌아오는* 메시지가 있어야 합니다. `chrony`와 NTP가 그렇게 시계를 비교하니, 컴퓨터가 두 대라면 이들로 확인하십시오. 예를 들면 이렇습니다.
 #
@@ -1244,17 +1247,20 @@ for when in (Time(seconds=99), Time()):
 #
 # 오류가 나지 않는 경우도 조심하십시오. 시계가 *뒤처진* 센서의 데이터에는 과거의 변환이 쓰입니다. 보관 시간 안이면 언제나 값이 나옵니다. 예외도 경고도 없이 위치가 계속 틀립니다.
 
-# %% [markdown] lang="en" name="plaster-3d" slide="subslide"
+# %% [markdown] lang="en" name="plaster-3d-heading" slide="subslide"
 # ## The wrong clock in 3D, and a larger error
-#
+
+# %% [markdown] lang="ko" name="plaster-3d-heading" slide="subslide"
+# ## 틀린 시계를 3D로, 그리고 더 큰 차이
+
+# %% [markdown] lang="en" name="plaster-3d" slide="-"
 # One scan, taken in the middle of the curve. Drag the slider: it is the error of the laser's clock. The grey lines are the real walls.
 
-# %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
-# ## 틀린 시계를 3D로, 그리고 더 큰 차이
-#
+# %% [markdown] lang="ko" name="plaster-3d" slide="-"
 # 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저의 시계 차이입니다. 회색 선이 실제 벽입니다. *그림 읽기:* off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
 
 # %% name="walls-walk" tags=["interactive", "collapsed"] slide="subslide"
+# Show the scene.
 lesson.show_clock_error()
 
 # %% name="walls-walk-still" tags=["static"]
@@ -1270,6 +1276,7 @@ lesson.draw_placed({
 # 시계가 2초 앞서 있고 timeout은 그대로 1초라면 어떨까요?
 
 # %% name="plaster-off" tags=["collapsed"] slide="-"
+# Run ScanPlacer with the clock 2 s ahead.
 graph = lesson.new_graph()
 graph.set_clock_offset('laser_driver', 2.0)
 lesson.launch(graph)
@@ -1282,17 +1289,20 @@ print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 # %% [markdown] lang="ko" name="plaster-off-read" slide="-"
 # 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다. (스캔 86개 중에서 노드가 처리한 것은 1초에 하나씩 8개뿐입니다. 구독의 큐는 짧아서 나머지를 버렸습니다.)
 
-# %% [markdown] lang="en" name="cure-threads" slide="subslide"
+# %% [markdown] lang="en" name="cure-threads-heading" slide="subslide"
 # ## Where else may I wait?
-#
+
+# %% [markdown] lang="ko" name="cure-threads-heading" slide="subslide"
+# ## 그 밖에 어디서 기다려도 될까요?
+
+# %% [markdown] lang="en" name="cure-threads" slide="-"
 # The listener's subscriptions are in a *reentrant* callback group of their own. So an executor with several threads may call them while your callback waits. The node `Patient` stays as it is. You change one word: `rclpy.spin(node, executor=MultiThreadedExecutor())`.
 
-# %% [markdown] lang="ko" name="cure-threads" slide="subslide"
-# ## 그 밖에 어디서 기다려도 될까요?
-#
+# %% [markdown] lang="ko" name="cure-threads" slide="-"
 # 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 호출할 수 있습니다. 노드 `Patient`는 그대로 두고 `rclpy.spin(node, executor=MultiThreadedExecutor())`처럼 실행기만 바꾸면 됩니다.
 
 # %% name="cure-threads-run" tags=["collapsed"] slide="-"
+# Run Patient with several threads.
 patient = lesson.on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
 print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
 lesson.draw_lanes(patient)
@@ -1335,21 +1345,25 @@ lesson.draw_lanes(patient)
 #
 # C++에서는 수신기(listener)가 기본으로 전용 스레드를 가지므로 콜백 안의 기다림이 통합니다. 그 스레드가 없으면(`spin_thread=false`) C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 곧바로 거절합니다. 파이썬에서는 기본으로 그 스레드가 없고, 그대로 기다립니다. 이 문제는 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다.
 
-# %% [markdown] lang="en" name="policy" slide="slide"
+# %% [markdown] lang="en" name="policy-heading" slide="slide"
 # ## What happens with a queue that has no limit
-#
+
+# %% [markdown] lang="ko" name="policy-heading" slide="slide"
+# ## 큐에 한계가 없으면 생기는 일
+
+# %% [markdown] lang="en" name="policy" slide="-"
 # Scans come every 100 ms. Processing takes 150 ms each. The queue is unbounded, and there is no limit of age.
 #
 # **Predict.** After 12 seconds: how old is the data that the robot is using?
 
-# %% [markdown] lang="ko" name="policy" slide="slide"
-# ## 큐에 한계가 없으면 생기는 일
-#
+# %% [markdown] lang="ko" name="policy" slide="-"
 # 스캔은 100 ms마다 옵니다. 결정 한 번에 150 ms가 걸립니다. 큐의 크기에는 한계가 없고, 오래된 것도 버리지 않습니다.
 #
 # **예측해 봅시다.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
 
 # %% name="queues" tags=["predicted"] slide="subslide"
+from collections import deque
+
 endless = lesson.ages_of_decisions('no limit', deque())
 bounded = lesson.ages_of_decisions('two at most', deque(maxlen=2))  # a full deque drops its oldest
 lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
@@ -1378,13 +1392,9 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="en" name="how-long-heading" slide="subslide"
 # ## How long is "a little"?
-#
-# You can calculate it.
 
 # %% [markdown] lang="ko" name="how-long-heading" slide="subslide"
 # ## “조금”은 얼마일까요?
-#
-# 취향이 아니라 계산할 수 있는 값입니다.
 
 # %% [markdown] lang="en" name="how-long" slide="-"
 # A scan waits for the first transform that is stamped *at or after* it.
@@ -1408,17 +1418,13 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="en" name="ahead" slide="subslide"
 # ## A publisher that dates its transforms ahead on purpose
-#
-# AMCL does it. Its parameter is `transform_tolerance`.
 
 # %% [markdown] lang="ko" name="ahead" slide="subslide"
 # ## 일부러 미래의 시각을 적는 발행자
-#
-# AMCL이 그렇게 합니다. 파라미터는 `transform_tolerance`입니다.
 
 # %% [markdown] lang="en" name="dated-ahead" slide="-"
 # A localiser needs time: it has the pose for a scan only when the scan is processed. Must every lookup wait for it?
-# AMCL writes another stamp into `map → odom`: the scan's time plus `transform_tolerance` (1.0 s by default in Nav2). It states that the correction is valid for that long.
+# AMCL writes another stamp into `map → odom`: the scan's time plus its parameter `transform_tolerance` (1.0 s by default in Nav2). It states that the correction is valid for that long.
 #
 # Here is the buffer from the beginning of this page, with a localiser that dates its transforms 1.0 s ahead.
 #
@@ -1426,13 +1432,14 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="ko" name="dated-ahead" slide="-"
 # 위치 추정 노드에는 시간이 필요합니다. 스캔을 다 처리해야 그 스캔의 포즈가 나옵니다. 조회할 때마다 그것을 기다려야 할까요?
-# AMCL은 `map → odom`에 다른 시각을 적습니다. 스캔의 측정 시각에 `transform_tolerance`(Nav2에서는 기본 1.0초)를 더한 시각입니다. 이 보정값이 그때까지 유효하다는 뜻입니다.
+# AMCL은 `map → odom`에 다른 시각을 적습니다. 스캔의 측정 시각에 파라미터 `transform_tolerance`(Nav2에서는 기본 1.0초)를 더한 시각입니다. 이 보정값이 그때까지 유효하다는 뜻입니다.
 #
 # 이 장 처음의 버퍼에서 위치 추정 노드가 1.0초 미래의 시각을 적으면 다음과 같습니다.
 #
 # **예측해 봅시다.** 14.3초의 조회는 `map → odom` 때문에 실패했습니다. 이번에는 어떻게 될까요?
 
 # %% name="dated-ahead-picture" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the timelines, with a lookup at 14.3 s.
 lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3))
 
 # %% [markdown] lang="en" name="dated-ahead-read" tags=["predicted"] slide="-"
@@ -1455,13 +1462,9 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 
 # %% [markdown] lang="en" name="text-more" slide="subslide"
 # ## More about the text of an exception
-#
-# Its numbers as attributes, what it leaves out, and one more exception.
 
 # %% [markdown] lang="ko" name="text-more" slide="subslide"
 # ## 예외의 오류 메시지에 대해 더
-#
-# 속성에 담긴 숫자, 메시지에 나오지 않는 것, 그리고 예외 하나 더입니다.
 
 # %% [markdown] lang="en" name="numbers" slide="-"
 # In tflab an extrapolation exception has the numbers as attributes, and the edge that limits the lookup: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
@@ -1483,13 +1486,9 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 
 # %% [markdown] lang="en" name="earlier" slide="subslide"
 # ## Three questions from earlier chapters
-#
-# From 02, 03 and 08.
 
 # %% [markdown] lang="ko" name="earlier" slide="subslide"
 # ## 앞 장 복습: 세 문제
-#
-# 02, 03, 08장에서 골랐습니다.
 
 # %% [markdown] lang="en" name="from-earlier" slide="-"
 # <details><summary>From 03. The text says <em>from frame [laser_frame] to frame [map]</em>. Write the call that was made.</summary>
@@ -1531,13 +1530,9 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 
 # %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice questions
-#
-# Q11 and Q12 of the lecture.
 
 # %% [markdown] lang="ko" name="practice-heading" slide="subslide"
 # ## 서술형 문제
-#
-# 강의의 Q11과 Q12입니다.
 
 # %% [markdown] lang="en" name="practice" slide="-"
 # Answer on paper, then open the list and mark yourself: one point for each idea that is there.

@@ -48,13 +48,8 @@
 # %% [markdown] lang="ko" name="needed-notes" slide="notes"
 # 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
 
-# %% name="load" tags=["collapsed"] slide="skip"
+# %% name="load" slide="skip"
 # %load_ext tflab
-import io
-import math
-from collections import Counter
-from contextlib import redirect_stdout
-
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
@@ -80,6 +75,7 @@ from tflab.workbook import lesson
 # 첫 문단에서 멈추고 묻습니다. 그 1초에 무엇이 있었을까요? 추측을 칠판에 모으고 답은 아직 말하지 않습니다.
 
 # %% name="start-the-robot" tags=["collapsed"] slide="skip"
+# Start the robot.
 graph = lesson.new_graph()
 robot = lesson.TeachingRobot()
 nodes = lesson.launch(graph, robot)
@@ -119,6 +115,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # 여기서 건너뛰기까지 7분입니다. 토픽은 여섯인데 왜 구독은 다섯입니까? 그다음 `bag info`에서 개수가 1인 토픽을 찾게 합니다.
 
 # %% name="heard" tags=["collapsed"] slide="subslide"
+# Draw when each message was received.
 lap = lesson.read_bag(bags / "lap", show_progress=False)
 lesson.draw_heard(lap, for_s=2.0)
 
@@ -155,6 +152,12 @@ lesson.draw_heard(lap, for_s=2.0)
 # 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
 
 # %% name="imports" tags=["collapsed"] slide="skip"
+# Import what the page's node needs.
+import io
+import math
+from collections import Counter
+from contextlib import redirect_stdout
+
 import rclpy
 from rclpy.duration import Duration
 from rclpy.node import Node
@@ -165,6 +168,7 @@ from sensor_msgs.msg import LaserScan
 from tf2_ros import Buffer, TransformException, TransformListener
 
 # %% name="ask" tags=["collapsed"]
+# Look up one transform, and count it.
 def ask(node, question, frame, moment):
     try:
         node.buffer.lookup_transform("map", frame, moment)
@@ -179,7 +183,7 @@ def ask(node, question, frame, moment):
 # 코드를 다 읽지 않아도 됩니다. 노드가 하는 일만 말합니다. 스캔마다 시각 셋, 타이머 하나, 나이 하나입니다.
 
 # %% name="asker" tags=["collapsed"] slide="subslide"
-class Asker(Node):
+class Asker(Node):  # three lookups for each scan
     def __init__(self, use_sim_time=True, make_buffer=lambda node: Buffer(node=node)):
         super().__init__("asker", parameter_overrides=[Parameter("use_sim_time", value=use_sim_time)])
         self.buffer = make_buffer(self)
@@ -196,6 +200,7 @@ class Asker(Node):
             ask(self, question, scan.header.frame_id, moment)
 
 # %% name="offset" tags=["predicted", "collapsed"] slide="fragment"
+# Play the bag twice.
 for options in ("--clock", "--clock --start-offset 0.001"):
     asker = lesson.replay(Asker, bags / "lap", options, for_s=16.0)
     print(f"$ ros2 bag play lap {options}")
@@ -235,6 +240,7 @@ print(asker.first_no)
 # **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때 스캔을 몇 개나 지도에 표시할 수 있을까요?
 
 # %% name="place-all" tags=["predicted", "collapsed"] slide="fragment"
+# Look up each scan at its stamp.
 for left_out in ((), ("/tf_static",), ("/tf",)):
     *_, scan = lesson.place_messages(lap, "map", left_out)
     print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
@@ -293,6 +299,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # 먼저 이것부터 생각해 봅시다. `use_sim_time`은 false이고 `--clock`도 없으며, 노드는 `header.stamp`의 변환을 조회합니다. 동작하기는 할까요?
 
 # %% name="four-set-ups" tags=["predicted", "collapsed"] slide="fragment"
+# Play the bag with each of the four set-ups.
 print("use_sim_time  play       at its stamp  at now  timer  age of a scan")
 for use_sim_time in (False, True):
     for options in ("", "--clock"):
@@ -349,6 +356,7 @@ for use_sim_time in (False, True):
 # 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간의 슬라이더를 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
 
 # %% name="clocks-panel" tags=["interactive", "collapsed"]
+# Show the panel.
 lesson.clocks_panel()
 
 # %% name="clocks-still" tags=["static"]
@@ -379,6 +387,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 실행됩니다. 실행 중인 노드에 `param set`도 할 수 있습니다. 그러면 무엇을 잃는지 출력에서 읽어 보세요.
 
 # %% name="by-hand-node" tags=["collapsed"] slide="-"
+# Start the node on the next day.
 asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 
 # %% name="by-hand-play" slide="-"
@@ -436,6 +445,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # **예측해 봅시다.** 어느 노드가 오류를 낼까요? 어떤 오류일까요?
 
 # %% name="record-raw" tags=["collapsed"] slide="skip"
+# Record a drive without a localiser.
 from IPython import get_ipython
 
 graph = lesson.new_graph()
@@ -445,6 +455,7 @@ with redirect_stdout(io.StringIO()):  # the recorder's log, as above
     get_ipython().run_line_magic("ros2", f"--for 9.03 bag record -o {bags}/raw /scan /odom /tf /tf_static")
 
 # %% name="innocent-run" tags=["predicted", "collapsed"] slide="fragment"
+# Play that bag beside the new localiser.
 asker = lesson.replay(Asker, bags / "raw", "--clock", for_s=5.0, beside=["localization"])
 print(f"{asker.heard['at its stamp']} of {asker.heard['scans']} scans placed")
 try:
@@ -489,6 +500,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # **예측해 봅시다.** `Time()`으로 조회하면 로봇은 어디에 있을까요?
 
 # %% name="looped" tags=["collapsed"] slide="-"
+# The node, with the age of its newest transform.
 class Looped(Asker):
     def __init__(self, make_buffer):
         super().__init__(True, make_buffer)
@@ -502,6 +514,7 @@ class Looped(Asker):
             self.ages.append((self.get_clock().now().nanoseconds - newest.nanoseconds) / 1e9)
 
 # %% name="twenty-seconds" tags=["collapsed"] slide="-"
+# Print where a node places the robot.
 def show(node):
     now = node.get_clock().now().nanoseconds
     newest = node.buffer.lookup_transform("map", "base_link", Time())
@@ -534,6 +547,7 @@ show(long)
 # 반복 재생은 8분입니다. 칠판에 시계를 적습니다. 15, 16, 1, 2. 최신을 조회하면 로봇은 어디에 있습니까? 멈췄던 자리라는 답을 기다립니다.
 
 # %% name="ten-seconds" tags=["collapsed"] slide="subslide"
+# Run the node with Buffer().
 with redirect_stdout(io.StringIO()) as log:  # it would fill the page
     warned = lesson.replay(lambda: Looped(lambda node: Buffer()), bags / "lap", "--clock --loop", for_s=25.93)
 show(warned)
@@ -572,6 +586,7 @@ show(sound)
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
 
 # %% name="loop-ages" tags=["collapsed"] slide="-"
+# Draw the age of the newest transform.
 from tflab.views.ages import Curve
 
 named = {"cache 20 s": long, "Buffer()": warned, "node=self": sound}
@@ -742,8 +757,11 @@ lesson.draw_ages(curves, "age of the newest transform")
 #         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
 #         self.listener = TransformListener(self.buffer, self)
 #         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
-#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
 #         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def on_scan(self, scan):
+#         self.waiting.append(scan)
 #
 #     def report(self):
 #         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
@@ -804,8 +822,11 @@ lesson.draw_ages(curves, "age of the newest transform")
 #         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
 #         self.listener = TransformListener(self.buffer, self)
 #         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
-#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_subscription(LaserScan, 'scan', self.on_scan, qos_profile_sensor_data)
 #         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def on_scan(self, scan):
+#         self.waiting.append(scan)
 #
 #     def report(self):
 #         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
@@ -920,14 +941,16 @@ lesson.draw_ages(curves, "age of the newest transform")
 #
 # 아래는 더 알고 싶은 사람을 위한 절입니다. 제목을 누르면 펼쳐집니다.
 
-# %% [markdown] lang="en" name="your-bag" slide="slide"
+# %% [markdown] lang="en" name="your-bag-heading" slide="slide"
 # ## Your own bag
-#
+
+# %% [markdown] lang="ko" name="your-bag-heading" slide="slide"
+# ## 여러분의 bag
+
+# %% [markdown] lang="en" name="your-bag" slide="-"
 # Now a real recording: ten seconds of our robot, recorded in real time on a machine that was also busy with other work. If you have a bag of your own, write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below again. ROS 1's `.bag` files work, too.
 
-# %% [markdown] lang="ko" name="your-bag" slide="slide"
-# ## 여러분의 bag
-#
+# %% [markdown] lang="ko" name="your-bag" slide="-"
 # 이제 진짜 기록입니다. 다른 일도 하고 있던 컴퓨터에서 실제 시간으로 우리 로봇을 10초 동안 기록했습니다. 여러분의 bag이 있습니까? 그렇다면 `BAG = "~/bags/kitchen"`처럼 경로를 적고 아래 셀들을 다시 실행해 보세요. ROS 1의 `.bag`도 됩니다.
 
 # %% name="bag"
@@ -943,6 +966,7 @@ BAG = lesson.example_bag()  # or the path of yours
 # 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
 
 # %% name="bag-tree" tags=["collapsed"] slide="subslide"
+# Draw the bag's tree.
 recording = lesson.read_bag(BAG, show_progress=False)
 tree = recording.buffer(namespace=(recording.namespaces() or [None])[0])  # of the first robot, if there are more
 lesson.draw_buffer(tree, recording.end_ns)
@@ -954,10 +978,12 @@ lesson.draw_buffer(tree, recording.end_ns)
 # 질문 하나입니다. 발행률이 없는 연결은 어느 것이고, 왜 고장이 아닙니까?
 
 # %% name="bag-places" tags=["collapsed"] slide="subslide"
+# Count the messages that the bag can place.
 placed = lesson.place_messages(recording)
 print("topics with a frame:", *placed, sep="\n")
 
 # %% name="bag-statics" tags=["collapsed"] slide="-"
+# Print how old two static transforms are.
 for record in [record for record in recording.records() if record.is_static][:2]:
     before_s = (recording.begin_ns - record.stamped.stamp_ns) / 1e9
     print(f"{record.stamped.child_frame_id}: stamped {before_s:.1f} s before the recording began")
@@ -999,14 +1025,16 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="bag-places-notes" slide="notes"
 # 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 정적 변환의 시각이 기록 전체보다 오래된 것을 고장으로 보기 쉽습니다. 누군가 그렇게 말할 때까지 기다립니다.
 
-# %% [markdown] lang="en" name="quotes" slide="subslide"
+# %% [markdown] lang="en" name="quotes-heading" slide="subslide"
 # ## Break it: `"true"` in quotes
-#
+
+# %% [markdown] lang="ko" name="quotes-heading" slide="subslide"
+# ## 일부러 고장 내기: 따옴표를 붙인 `"true"`
+
+# %% [markdown] lang="en" name="quotes" slide="-"
 # Somebody writes `"true"` in quotes into the parameter file. **Predict:** simulation time, system time, or no node at all?
 
-# %% [markdown] lang="ko" name="quotes" slide="subslide"
-# ## 일부러 고장 내기: 따옴표를 붙인 `"true"`
-#
+# %% [markdown] lang="ko" name="quotes" slide="-"
 # 누군가 파라미터 파일에 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 시스템 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
 
 # %% name="quotes-run" tags=["predicted"] slide="fragment"
@@ -1032,13 +1060,9 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="loop-blanks" slide="subslide"
 # ## Two blanks: a bag in a loop
-#
-# A command and a constructor to complete.
 
 # %% [markdown] lang="ko" name="loop-blanks" slide="subslide"
 # ## 빈칸 둘: 반복 재생되는 bag
-#
-# 명령과 생성자를 완성해 보세요.
 
 # %% [markdown] lang="en" name="faded" slide="-"
 # Fill in the two blanks: a bag in a loop, and a node that handles it.
@@ -1076,13 +1100,9 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="earlier" slide="subslide"
 # ## Three questions from earlier chapters
-#
-# From 06, 08 and 09.
 
 # %% [markdown] lang="ko" name="earlier" slide="subslide"
 # ## 앞 장 복습: 세 문제
-#
-# 06, 08, 09장에서 골랐습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="-"
 # 1. 06: why does a node that starts late on a robot receive `/tf_static`?
@@ -1118,13 +1138,9 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice question
-#
-# Q13 of the lecture.
 
 # %% [markdown] lang="ko" name="practice-heading" slide="subslide"
 # ## 서술형 문제
-#
-# 강의의 Q13입니다.
 
 # %% [markdown] lang="en" name="practice" slide="-"
 # **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
@@ -1159,5 +1175,6 @@ rclpy.shutdown()
 # 집에서 씁니다. 완전한 답에는 다섯 가지가 있고, 0에 멈춘 시계를 가장 많이 빠뜨립니다.
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
 lesson.current_graph().stop()
 rclpy.try_shutdown()
