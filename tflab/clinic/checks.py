@@ -11,9 +11,10 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from pathlib import Path
 from typing import NamedTuple
 
-from tflab.text import Text
+from tflab.text import Text, load_yaml
 
 from .findings import AS_ON_THE_CARD, kind_of
 
@@ -58,31 +59,8 @@ BY_HAND = {
     "tape measure": Text("measure where the laser is bolted on", "레이저의 장착 위치를 줄자로 재기"),
     "other cable": Text("put another cable in", "다른 케이블 꽂기"),
 }
-CHECKS = {
-    check.key: check
-    for check in (
-        CostedCheck("rviz", BY_HAND["rviz"].en, 1, "rviz"),
-        CostedCheck("node list", "ros2 node list", 1, "node_list"),
-        CostedCheck("echo map base_footprint", "ros2 run tf2_ros tf2_echo map base_footprint", 1, "connection", 3.0),
-        CostedCheck("echo odom base_footprint", "ros2 run tf2_ros tf2_echo odom base_footprint 20", 1, "wheels", 1.0),
-        CostedCheck("echo base_link laser_frame", "ros2 run tf2_ros tf2_echo base_link laser_frame", 1, "mount", 2.0),
-        CostedCheck("echo map odom", "ros2 run tf2_ros tf2_echo map odom", 2, "correction", 10.0),
-        CostedCheck("hz /odom", "ros2 topic hz /odom", 1, "rate"),
-        CostedCheck("hz /scan", "ros2 topic hz /scan", 1, "rate"),
-        CostedCheck("delay /odom", "ros2 topic delay /odom", 1, "delay"),
-        CostedCheck("delay /scan", "ros2 topic delay /scan", 1, "delay"),
-        CostedCheck("scan header", "ros2 topic echo /scan --once --field header", 1, "header"),
-        CostedCheck("use_sim_time", "ros2 param get /localization use_sim_time", 1, "parameter"),
-        CostedCheck("publish_tf", "ros2 param get /wheel_odometry publish_tf", 1, "parameter"),
-        CostedCheck("info /tf", "ros2 topic info /tf --verbose", 2, "publishers"),
-        CostedCheck("info /tf_static", "ros2 topic info /tf_static --verbose", 2, "publishers"),
-        CostedCheck("echo /tf_static", "ros2 topic echo /tf_static", 2, "static", 2.0),
-        CostedCheck("view_frames", "ros2 run tf2_tools view_frames", 3, "view_frames"),
-        CostedCheck("monitor", "ros2 run tf2_ros tf2_monitor map laser_frame", 4, "monitor"),
-        CostedCheck("tape measure", BY_HAND["tape measure"].en, 15, "verbatim"),
-        CostedCheck("other cable", BY_HAND["other cable"].en, 30, "verbatim"),
-    )
-}
+_ROWS = load_yaml(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+CHECKS = {key: CostedCheck(key, **row) for key, row in _ROWS.items()}
 
 
 def find_check(asked: str) -> CostedCheck:

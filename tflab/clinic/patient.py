@@ -19,28 +19,13 @@ from copy import copy
 from functools import lru_cache
 from typing import Any
 
-from tflab.text import Text
+from tflab.text import Texts
 
 from .checks import CHECKS, find_check
 
 __all__ = ["NOTES", "FaultyRobot", "result_of_fix", "rows_of", "translate_output"]
 
-# what is written down without a tool of ROS
-NOTES = {
-    "all ok": Text("RViz: all Ok", "RViz: 모두 Ok"),
-    "off the walls": Text(
-        "Scan on the map: up to {distance} m beside the walls", "지도 위의 스캔: 벽에서 최대 {distance} m 벗어남"
-    ),
-    "not placed": Text("Scan on the map: nothing can be placed", "지도 위의 스캔: 놓을 수 있는 점이 없음"),
-    "tape": Text(
-        "{ahead} m ahead, {side} m to the side, {up} m up: where the drawing has it",
-        "앞 {ahead} m, 옆 {side} m, 위 {up} m: 도면과 같은 위치",
-    ),
-    "cable": Text(
-        "360 points ten times a second, as with the cable before",
-        "점 360개가 1초에 열 번 나옴. 케이블을 바꾸기 전과 같음",
-    ),
-}
+NOTES = Texts(__file__)  # what is written down without a tool of ROS
 KNOWN = 128  # patients that are held open: a ward is asked over and over
 
 

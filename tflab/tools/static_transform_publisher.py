@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 from tflab.core.quaternions import from_rpy
 from tflab.ros.node import Node
@@ -24,34 +25,7 @@ from .session import abort, log_as_root, spin, tool_node, unused_name
 
 __all__ = ["USAGE", "Request", "UsageError", "main", "parse"]
 
-USAGE = """\
-usage: static_transform_publisher [--x X] [--y Y] [--z Z] [--qx QX] [--qy QY] [--qz QZ] [--qw QW] \
-[--roll ROLL] [--pitch PITCH] [--yaw YAW] --frame-id FRAME_ID --child-frame-id CHILD_FRAME_ID
-
-A command line utility for manually sending a static transform.
-
-If no translation or orientation is provided, the identity transform will be published.
-
-The translation offsets are in meters.
-
-The rotation may be provided with roll, pitch, yaw euler angles in radians, or as a quaternion.
-
-required arguments:
-  --frame-id FRAME_ID parent frame
-  --child-frame-id CHILD_FRAME_ID child frame id
-
-optional arguments:
-  --x X                 x component of translation
-  --y Y                 y component of translation
-  --z Z                 z component of translation
-  --qx QX               x component of quaternion rotation
-  --qy QY               y component of quaternion rotation
-  --qz QZ               z component of quaternion rotation
-  --qw QW               w component of quaternion rotation
-  --roll ROLL           roll component Euler rotation
-  --pitch PITCH         pitch component Euler rotation
-  --yaw YAW             yaw component Euler rotation"""
-
+USAGE = Path(__file__).with_suffix(".txt").read_text(encoding="utf-8").rstrip()
 OLD_STYLE = "Old-style arguments are deprecated; see --help for new-style arguments"
 TRANSLATION, QUATERNION, EULER = ("x", "y", "z"), ("qx", "qy", "qz", "qw"), ("roll", "pitch", "yaw")
 NAMES = ("frame-id", "child-frame-id")
