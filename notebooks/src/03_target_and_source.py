@@ -1164,10 +1164,10 @@ print('yaw        ', lesson.fmt(2 * math.atan2(at.orientation.z, at.orientation.
 # 기준을 바꾸면 축만 바뀝니다. 로봇의 같은 점을 같은 관측자가 본 속도라는 것은 그대로입니다. 로봇이 회전하면 로봇의 다른 점은 다른 선속도로 움직입니다.
 
 # %% [markdown] lang="en" name="vector-trap" slide="fragment"
-# One trap: `do_transform_vector3` sets the translation of the transform that you pass to zero. ROS 2 does the same. Look up again before you use that transform for a point.
+# One trap: `do_transform_vector3` sets the translation of the transform that you pass to zero. ROS 2 does the same. Look up again before you use that transform for a point. Task E3.8 asks for six more values.
 
 # %% [markdown] lang="ko" name="vector-trap" slide="fragment"
-# 함정이 하나 있습니다. `do_transform_vector3`은 인자로 받은 변환의 이동을 0으로 바꿔 놓습니다. ROS 2에서도 그렇습니다. 그 변환을 점에 쓰려면 먼저 다시 조회하십시오.
+# 함정이 하나 있습니다. `do_transform_vector3`은 인자로 받은 변환의 이동을 0으로 바꿔 놓습니다. ROS 2에서도 그렇습니다. 그 변환을 점에 쓰려면 먼저 다시 조회하십시오. 과제 E3.8에서 여섯 가지 값을 더 다룹니다.
 
 # %% name="vector-trap-run" slide="-"
 from tf2_geometry_msgs import do_transform_point, do_transform_vector3
