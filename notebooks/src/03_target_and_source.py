@@ -627,15 +627,14 @@ print('there and "flipped" ', lesson.fmt_all(flipped.apply(base_p_corner)))
 
 # %% name="inverse-seen-from-the-laser" tags=["collapsed"]
 lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
-                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075,
-                  caption='from above, in laser_frame; grid of 0.05 m')
+                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075, size_inch=(5.2, 4.4))
 
 # %% [markdown] lang="en" name="inverse-seen"
 # If you transform a point there and back, it must return to where it was: (2, 0, 0).
 # With only the sign changed it misses by 28 cm, the length of a shoe. That is just small enough to look like a bad calibration.
 
 # %% [markdown] lang="ko" name="inverse-seen"
-# *그림 읽기:* from above, in laser_frame; grid of 0.05 m = 위에서 본 모습, laser_frame 기준, 눈금 한 칸이 0.05 m. sign flipped = 부호만 바꾼 것.
+# *그림 읽기:* 위에서 본 모습입니다. x, y in laser_frame = laser_frame 기준 x, y. sign flipped = 부호만 바꾼 것.
 #
 # 변환한 다음 역변환하면 처음의 점인 (2, 0, 0)이 나와야 합니다.
 # 부호만 바꾼 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 쉬운 크기입니다.
