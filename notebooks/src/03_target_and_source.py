@@ -364,7 +364,7 @@ from tflab.views.projection import eye_at
 
 lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
                   ghost_points={'swapped': (0.0, -1.8, -0.15)}, eye=eye_at(math.radians(-150), math.radians(30)),
-                  fixed_frame='base_link', length_m=0.35, caption='in base_link; grid of 1 m')
+                  fixed_frame='base_link', length_m=0.35, caption='in base_link; grid of 1 m', size_inch=(5.4, 3.6))
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The sentence
