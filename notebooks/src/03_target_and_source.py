@@ -104,6 +104,7 @@ from tflab.workbook import lesson
 # *더 읽기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% name="two-readings" tags=["collapsed"] slide="subslide"
+# Draw both readings of the phrase.
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
@@ -343,6 +344,7 @@ print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0
 # 보라색 빔은 레이저에서 모서리까지입니다. 빗금 친 회색 좌표계는 역변환이고, 회색 빔의 끝은 역변환을 쓰면 모서리가 놓일 자리입니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀, in base_link; grid of 1 m = base_link 기준, 눈금 한 칸이 1미터.
 
 # %% name="in-3d-scene" tags=["interactive", "collapsed"]
+# Show the mount, the corner and the swapped answer in 3D.
 scene = lesson.Scene(height_px=380)
 lesson.draw_frame(scene, 'base_link', Transform(), length_m=0.3)
 
@@ -354,7 +356,6 @@ def turn_the_mount(yaw):
     lesson.draw_arrow(scene, 'beam', mount.translation, places['corner'], 'corner', lesson.ACCENT)
     lesson.draw_path(scene, 'wrong beam', [mount.inverse().translation, places['swapped']], is_ghost=True)
 
-
 scene.look(eye=(-2.7, -1.7, 2.0))
 scene.sweep('yaw', [math.radians(angle) for angle in range(-180, 181, 15)], turn_the_mount, unit='rad', start=18)
 scene
@@ -364,7 +365,7 @@ from tflab.views.projection import eye_at
 
 lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
                   ghost_points={'swapped': (0.0, -1.8, -0.15)}, eye=eye_at(math.radians(-150), math.radians(30)),
-                  fixed_frame='base_link', length_m=0.35, caption='in base_link; grid of 1 m')
+                  fixed_frame='base_link', length_m=0.35, caption='in base_link; grid of 1 m', size_inch=(5.4, 3.6))
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The sentence
@@ -443,6 +444,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # (`edge`는 접힌 셀에서 정의합니다.)
 
 # %% name="an-edge" tags=["collapsed"] slide="skip"
+# Define edge(), which fills one message.
 from geometry_msgs.msg import TransformStamped
 
 
@@ -480,6 +482,7 @@ graph.run(seconds=0.5)
 # (ROS 2는 누가 발행한 연결인지 전달하지 않으므로 마지막 열은 모두 `default_authority`입니다.)
 
 # %% name="the-tree" tags=["collapsed"]
+# Draw the tree.
 lesson.draw_buffer(buffer)
 
 # %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
@@ -503,6 +506,7 @@ lesson.draw_buffer(buffer)
 # 한 사람에게 목표 map, 원본 laser가 되도록 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
 
 # %% name="dominoes-that-fit" tags=["collapsed"]
+# Draw the dominoes.
 lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="worked-example" slide="subslide"
@@ -547,6 +551,7 @@ print('one lookup    ', lesson.fmt_all(look_up('map', 'laser_frame').apply(laser
 # 그림에서는 바로 드러납니다. *그림 읽기:* A is not B = A와 B가 다름.
 
 # %% name="dominoes-that-do-not-fit" tags=["collapsed"]
+# Draw the dominoes in the wrong order.
 lesson.draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
 
 # %% name="wrong-order-in-numbers" slide="fragment"
@@ -626,16 +631,16 @@ print('there and back      ', lesson.fmt_all(laser_T_base.apply(base_p_corner)))
 print('there and "flipped" ', lesson.fmt_all(flipped.apply(base_p_corner)))
 
 # %% name="inverse-seen-from-the-laser" tags=["collapsed"]
+# Draw the inverse, seen from the laser.
 lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghosts={'sign flipped': flipped},
-                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075,
-                  caption='from above, in laser_frame; grid of 0.05 m')
+                  eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075, size_inch=(5.2, 4.4))
 
 # %% [markdown] lang="en" name="inverse-seen"
 # If you transform a point there and back, it must return to where it was: (2, 0, 0).
 # With only the sign changed it misses by 28 cm, the length of a shoe. That is just small enough to look like a bad calibration.
 
 # %% [markdown] lang="ko" name="inverse-seen"
-# *그림 읽기:* from above, in laser_frame; grid of 0.05 m = 위에서 본 모습, laser_frame 기준, 눈금 한 칸이 0.05 m. sign flipped = 부호만 바꾼 것.
+# *그림 읽기:* 위에서 본 모습입니다. x, y in laser_frame = laser_frame 기준 x, y. sign flipped = 부호만 바꾼 것.
 #
 # 변환한 다음 역변환하면 처음의 점인 (2, 0, 0)이 나와야 합니다.
 # 부호만 바꾼 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 쉬운 크기입니다.
@@ -1027,6 +1032,7 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # ```
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
 graph.stop()
 rclpy.try_shutdown()
 
@@ -1102,16 +1108,18 @@ rclpy.try_shutdown()
 #
 # 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
 
-# %% [markdown] lang="en" name="what-moves" slide="slide"
+# %% [markdown] lang="en" name="what-moves-heading" slide="slide"
 # ## A point, a velocity, a pose: which part of the transform applies?
-#
+
+# %% [markdown] lang="ko" name="what-moves-heading" slide="slide"
+# ## 점, 속도, 포즈: 변환의 어느 부분이 적용될까요?
+
+# %% [markdown] lang="en" name="what-moves"
 # The laser detects a person at (2, 0, 0) m who walks straight towards it. In `laser_frame` the velocity is (−1, 0, 0) m/s.
 #
 # **Predict:** what is the velocity in `base_link`? (−0.80, 0, 0.15), (0.20, −1, 0.15) or (0, −1, 0)?
 
-# %% [markdown] lang="ko" name="what-moves" slide="slide"
-# ## 점, 속도, 포즈: 변환의 어느 부분이 적용될까요?
-#
+# %% [markdown] lang="ko" name="what-moves"
 # 레이저가 (2, 0, 0) m에 있는 사람을 측정했습니다. 사람은 레이저를 향해 똑바로 걸어옵니다. `laser_frame` 기준 속도는 (−1, 0, 0) m/s입니다.
 #
 # **예측해 봅시다.** `base_link` 기준 속도는 얼마일까요? (−0.80, 0, 0.15)일까요, (0.20, −1, 0.15)일까요, (0, −1, 0)일까요?
@@ -1164,10 +1172,10 @@ print('yaw        ', lesson.fmt(2 * math.atan2(at.orientation.z, at.orientation.
 # 기준을 바꾸면 축만 바뀝니다. 로봇의 같은 점을 같은 관측자가 본 속도라는 것은 그대로입니다. 로봇이 회전하면 로봇의 다른 점은 다른 선속도로 움직입니다.
 
 # %% [markdown] lang="en" name="vector-trap" slide="fragment"
-# One trap: `do_transform_vector3` sets the translation of the transform that you pass to zero. ROS 2 does the same. Look up again before you use that transform for a point.
+# One trap: `do_transform_vector3` sets the translation of the transform that you pass to zero. ROS 2 does the same. Look up again before you use that transform for a point. Task E3.8 asks for six more values.
 
 # %% [markdown] lang="ko" name="vector-trap" slide="fragment"
-# 함정이 하나 있습니다. `do_transform_vector3`은 인자로 받은 변환의 이동을 0으로 바꿔 놓습니다. ROS 2에서도 그렇습니다. 그 변환을 점에 쓰려면 먼저 다시 조회하십시오.
+# 함정이 하나 있습니다. `do_transform_vector3`은 인자로 받은 변환의 이동을 0으로 바꿔 놓습니다. ROS 2에서도 그렇습니다. 그 변환을 점에 쓰려면 먼저 다시 조회하십시오. 과제 E3.8에서 여섯 가지 값을 더 다룹니다.
 
 # %% name="vector-trap-run" slide="-"
 from tf2_geometry_msgs import do_transform_point, do_transform_vector3
@@ -1178,15 +1186,17 @@ for when in ('before', 'after'):
     print(f'the corner, {when:6}', lesson.fmt_all((p.x, p.y, p.z)))
     do_transform_vector3(velocity, t)
 
-# %% [markdown] lang="en" name="faded" slide="subslide"
+# %% [markdown] lang="en" name="faded-heading" slide="subslide"
 # ## Your turn: a call with two blanks
-#
+
+# %% [markdown] lang="ko" name="faded-heading" slide="subslide"
+# ## 빈칸을 채워 보세요: 목적지는 어느 쪽일까요?
+
+# %% [markdown] lang="en" name="faded"
 # A goal is given in `map` at (4, 1, 0). Where is it relative to the robot: ahead, behind, left, right?
 # Fill in both blanks, and run the cell.
 
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ## 빈칸을 채워 보세요: 목적지는 어느 쪽일까요?
-#
+# %% [markdown] lang="ko" name="faded"
 # 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇을 기준으로 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
 # 빈칸 두 개를 채우고 실행해 보세요.
 
@@ -1216,9 +1226,13 @@ if ... not in (wanted_in, expressed_in):
 #
 # </details>
 
-# %% [markdown] lang="en" name="one-edge" slide="subslide"
+# %% [markdown] lang="en" name="one-edge-heading" slide="subslide"
 # ## One published transform, two questions
-#
+
+# %% [markdown] lang="ko" name="one-edge-heading" slide="subslide"
+# ## 발행된 변환 하나, 질문 두 개
+
+# %% [markdown] lang="en" name="one-edge"
 # A node publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
 #
 # 1. In which frame were 0.10 and 0.30 measured?
@@ -1234,9 +1248,7 @@ if ... not in (wanted_in, expressed_in):
 #
 # </details>
 
-# %% [markdown] lang="ko" name="one-edge" slide="subslide"
-# ## 발행된 변환 하나, 질문 두 개
-#
+# %% [markdown] lang="ko" name="one-edge"
 # 어느 노드가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
 #
 # 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값일까요?
@@ -1252,22 +1264,25 @@ if ... not in (wanted_in, expressed_in):
 #
 # </details>
 
-# %% [markdown] lang="en" name="the-sentence-panel-why" slide="subslide"
+# %% [markdown] lang="en" name="the-sentence-panel-why-heading" slide="subslide"
 # ## A panel: the sentence, the call and the matrix
-#
+
+# %% [markdown] lang="ko" name="the-sentence-panel-why-heading" slide="subslide"
+# ## 패널: 문장, 호출, 행렬
+
+# %% [markdown] lang="en" name="the-sentence-panel-why"
 # You can choose the two frames in any of the forms below; the other forms show the same choice.
 # On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
 # Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
-# %% [markdown] lang="ko" name="the-sentence-panel-why" slide="subslide"
-# ## 패널: 문장, 호출, 행렬
-#
+# %% [markdown] lang="ko" name="the-sentence-panel-why"
 # 메뉴에서 좌표계를 고르면 문장과 호출과 행렬이 함께 바뀝니다.
 # 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
 # *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
 # 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
 
 # %% name="the-sentence-panel" tags=["interactive", "collapsed"]
+# Show the panel.
 lesson.sentence_panel(
     {
         'base_link': Transform(),
@@ -1302,17 +1317,19 @@ lesson.draw_sentence({'base_link': Transform(), 'laser_frame': base_T_laser},
 #
 # </details>
 
-# %% [markdown] lang="en" name="up-up-down" slide="slide"
+# %% [markdown] lang="en" name="up-up-down-heading" slide="slide"
 # ## Two sensors: the laser in the camera's frame
-#
+
+# %% [markdown] lang="ko" name="up-up-down-heading" slide="slide"
+# ## 센서 두 개: 카메라 기준의 레이저
+
+# %% [markdown] lang="en" name="up-up-down"
 # No node publishes the pose of the laser in the camera's frame.
 # They are siblings: `base_link` is the parent of both.
 # You can still look it up, because a lookup walks the tree: **up** from the source to the nearest frame above both, then **down** to the target.
 # On the way up it uses the transforms as published. On the way down it uses their inverses.
 
-# %% [markdown] lang="ko" name="up-up-down" slide="slide"
-# ## 센서 두 개: 카메라 기준의 레이저
-#
+# %% [markdown] lang="ko" name="up-up-down"
 # 카메라 기준으로 레이저가 어디에 있는지 발행한 노드는 없습니다.
 # 둘은 형제 좌표계입니다. 부모가 모두 `base_link`입니다.
 # 그래도 조회할 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
@@ -1331,6 +1348,7 @@ print('down after up ', lesson.fmt_all(camera_T_laser.translation))
 print('one lookup    ', lesson.fmt_all(look_up('camera_link', 'laser_frame').translation))
 
 # %% name="siblings-as-dominoes" tags=["collapsed"]
+# Draw the dominoes.
 lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="siblings-seen"
@@ -1341,16 +1359,18 @@ lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # 레이저는 카메라보다 10 cm 앞, 15 cm 아래에 있습니다. 두 센서의 장착 위치로 확인해 보세요.
 # 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`의 역변환입니다.
 
-# %% [markdown] lang="en" name="try-it" slide="slide"
+# %% [markdown] lang="en" name="try-it-heading" slide="slide"
 # ## A slider: rotate the mount and watch two mistakes
-#
+
+# %% [markdown] lang="ko" name="try-it-heading" slide="slide"
+# ## 슬라이더: 레이저를 회전시키며 두 가지 실수 보기
+
+# %% [markdown] lang="en" name="try-it"
 # 1. At which yaw does "turn forgotten" (the rotation left out) make no difference?
 # 2. At which yaw do you not see "swapped" from above? Look at z as well.
 # 3. At which yaw is the error of the swap largest?
 
-# %% [markdown] lang="ko" name="try-it" slide="slide"
-# ## 슬라이더: 레이저를 회전시키며 두 가지 실수 보기
-#
+# %% [markdown] lang="ko" name="try-it"
 # 1. “turn forgotten”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
 # 2. 위에서 볼 때 “swapped”(바꿔 씀)는 yaw가 얼마일 때 정답과 겹쳐 보일까요? z도 살펴보세요.
 # 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
@@ -1358,6 +1378,7 @@ lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
 
 # %% name="try-it-panel" tags=["interactive", "collapsed"]
+# Show the slider.
 lesson.mount_panel()
 
 # %% name="try-it-still" tags=["static"]
@@ -1387,15 +1408,17 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="ko" name="try-it-notes" slide="notes"
 # 한 사람이 슬라이더를 움직이고, 잘못된 답이 정답과 겹치는 순간 모두가 “멈춰”라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
 
-# %% [markdown] lang="en" name="unknown-name-why" slide="subslide"
+# %% [markdown] lang="en" name="unknown-name-why-heading" slide="subslide"
 # ## An unknown frame name, and a leading slash
-#
+
+# %% [markdown] lang="ko" name="unknown-name-why-heading" slide="subslide"
+# ## 없는 좌표계 이름, 앞에 붙은 슬래시
+
+# %% [markdown] lang="en" name="unknown-name-why"
 # An unknown frame name raises an exception. Its message tells you in which argument you used the name.
 # (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
-# %% [markdown] lang="ko" name="unknown-name-why" slide="subslide"
-# ## 없는 좌표계 이름, 앞에 붙은 슬래시
-#
+# %% [markdown] lang="ko" name="unknown-name-why"
 # 버퍼에 없는 이름을 쓰면 오류가 납니다. 그 이름을 어떤 인자로 썼는지도 메시지에 나옵니다.
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
@@ -1418,9 +1441,13 @@ buffer.lookup_transform('laser_fame', 'base_link', Time())
 # %% name="leading-slash" tags=["raises-exception"]
 buffer.lookup_transform('/base_link', 'laser_frame', Time())
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before"
 # 1. A message contains `(2.0, 0.0, 0.0)` and an empty `frame_id`. May you use it?
 # 2. A wheeled robot turns right. Is its yaw rate positive or negative?
 # 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
@@ -1433,9 +1460,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before"
 # 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
 # 2. 바퀴 달린 로봇이 오른쪽으로 회전합니다. yaw 속도는 양수입니까, 음수입니까?
 # 3. “회전 없음”을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
@@ -1448,9 +1473,13 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice question · Q3
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q3
+
+# %% [markdown] lang="en" name="practice"
 # Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` returns.
 # Write four or five sentences, then open the list and give yourself a point for each idea.
 #
@@ -1467,9 +1496,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q3
-#
+# %% [markdown] lang="ko" name="practice"
 # 변환의 부모와 자식, 그리고 `lookup_transform(target, source, time)`의 의미를 설명하십시오.
 # 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #

@@ -142,10 +142,10 @@ print(way_up("camera_optical_frame"))
 # 접힌 셀은 노드 없이 `Buffer`에 이 연결들을 채웁니다. 거기서 정의한 `send(buffer, parent, child, x)`는 연결 하나를 저장합니다. 모든 시각에 유효한 정적 변환이고, 따로 정하지 않으면 x 방향으로 1미터입니다.
 
 # %% name="a-buffer" tags=["collapsed"] slide="skip"
+# Define send(), and fill a buffer.
 from geometry_msgs.msg import TransformStamped
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformException
-
 
 def send(buffer, parent, child, x=1.0):
     message = TransformStamped()
@@ -159,6 +159,7 @@ for child, parent in parent_of.items():
     send(buffer, parent, child)
 
 # %% name="the-walk" tags=["collapsed"] slide="-"
+# Draw the path.
 lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
@@ -180,6 +181,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # base보다 위에 있는 연결은 이 조회의 값에 영향을 주지 않습니다.
 
 # %% name="the-product" tags=["collapsed"] slide="fragment"
+# Draw the dominoes.
 lesson.draw_dominoes(
     ("camera_optical_frame", "camera_link"), ("camera_link", "base_link"), ("base_link", "laser_frame")
 )
@@ -332,6 +334,7 @@ print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 # 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 거절할 때도 로그에 이유를 남길 뿐이고 프로그램은 계속 실행됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive", "collapsed"]
+# Show the panel.
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
 # %% name="tree-still" tags=["static"]
@@ -417,7 +420,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # |---|---|---|
 # | 좌표계 | `map`, `robot1/odom`, `robot1/base_link`, … | `robot1/map`, `robot1/odom`, `robot1/base_link`, … |
 # | 알맞은 경우 | 미리 만든 지도 하나를 여러 로봇이 함께 쓸 때 | 로봇마다 지도를 만들거나 따로 일할 때 |
-# | 치르는 값 | 모든 위치 추정 노드가 같은 지도와 같은 원점을 써야 합니다 | 로봇마다 연결이 하나 더 있고, 그 값을 누군가 구해야 합니다 |
+# | 부담 | 모든 위치 추정 노드가 같은 지도와 같은 원점을 써야 합니다 | 로봇마다 연결이 하나 더 있고, 그 값을 누군가 구해야 합니다 |
 # | 로봇들을 연결하는 노드 | 따로 없습니다. 위치 추정 노드가 저마다 `map → robotN/odom`을 발행합니다 | 한 노드가 `world → robot1/map`과 `world → robot2/map`을 발행합니다 |
 # | 그 노드가 없으면 | | 트리가 둘이 되어 두 로봇 사이의 조회가 실패합니다 |
 #
@@ -449,6 +452,7 @@ for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("h
         print(f"{source} in {target}: {type(error).__name__}: {str(error).splitlines()[0]}")
 
 # %% name="the-loop-drawn" tags=["predicted", "collapsed"] slide="-"
+# Draw the loop.
 lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
@@ -488,6 +492,7 @@ lesson.draw_walk(dog, "head", "back")
 # **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
 
 # %% name="two-nodes" tags=["collapsed"] slide="skip"
+# Start the nodes and a listener.
 import math
 
 import rclpy
@@ -504,6 +509,7 @@ listener = TransformListener(tf_buffer, node, spin_thread=True)
 graph.run(seconds=1.0)
 
 # %% name="place" tags=["collapsed"] slide="skip"
+# Define place().
 def place(target, source):
     at = tf_buffer.lookup_transform(target, source, Time()).transform.translation
     return at.x, at.y
@@ -525,6 +531,7 @@ for until in (5, 10, 20, 30):
 # 0.5 m/s로 달리고 메시지가 1초에 20~30번 오므로, 한 노드만 발행하면 한 번에 2센티미터쯤 움직입니다. 5초까지 가장 큰 변화는 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대에서 한 시험은 통과하지만, 복도를 달리면 드러납니다.
 
 # %% name="owners" tags=["collapsed"] slide="subslide"
+# Show each edge with its rate and its publishers.
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="owners-seen"
@@ -870,17 +877,20 @@ folder = lesson.fresh_folder()
 #
 # 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
 
-# %% [markdown] lang="en" name="plaster" slide="subslide"
+# %% [markdown] lang="en" name="plaster-heading" slide="subslide"
 # ## The quick workaround for a typo, and why it is no fix
-#
+
+# %% [markdown] lang="ko" name="plaster-heading" slide="subslide"
+# ## 오타를 덮는 임시방편, 왜 해결이 아닐까요?
+
+# %% [markdown] lang="en" name="plaster"
 # Forums suggest one more static edge, `odom → odm`, with all values zero. It works.
 
-# %% [markdown] lang="ko" name="plaster" slide="subslide"
-# ## 오타를 덮는 임시방편, 왜 해결이 아닐까요?
-#
+# %% [markdown] lang="ko" name="plaster"
 # 인터넷에서는 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하라고들 합니다. 동작은 합니다.
 
 # %% name="plastered" tags=["collapsed"] slide="-"
+# Draw the path with the workaround.
 send(island, "odom", "odm", x=0.0)
 lesson.draw_walk(island, "map", "laser_frame")
 
@@ -901,22 +911,24 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 무슨 일이 생기면 다시 고장 날지 묻습니다.
 # 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
 
-# %% [markdown] lang="en" name="two-robots" slide="slide"
+# %% [markdown] lang="en" name="two-robots-heading" slide="slide"
 # ## Two robots, and an `odom` without a prefix
-#
+
+# %% [markdown] lang="ko" name="two-robots-heading" slide="slide"
+# ## 로봇 두 대, 그리고 접두사가 없는 `odom`
+
+# %% [markdown] lang="en" name="two-robots"
 # A second robot is placed beside the first. Its frames have a prefix, as in `robot2/base_footprint`. Somebody forgot to prefix `odom`.
 
-# %% [markdown] lang="ko" name="two-robots" slide="slide"
-# ## 로봇 두 대, 그리고 접두사가 없는 `odom`
-#
+# %% [markdown] lang="ko" name="two-robots"
 # 두 번째 로봇을 옆에 둡니다. 좌표계에는 모두 `robot2/base_footprint`처럼 접두사를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
 
 # %% name="a-fleet" tags=["collapsed"] slide="skip"
+# Define start_two(), which starts both robots.
 graph.stop()
 listener.unregister()
 tf_buffer = Buffer()  # one that has heard of no other robot
 listener = TransformListener(tf_buffer, node, spin_thread=True)
-
 
 def start_two(shared, apart_s):
     graph.stop()
@@ -970,6 +982,7 @@ for apart_s in (0.03, 0.0):
 # 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
 
 # %% name="between-robots" tags=["collapsed"] slide="-"
+# Draw the path.
 lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
 
 # %% [markdown] lang="en" name="between-robots-seen"
@@ -989,6 +1002,7 @@ start_two(("map",), 0.03)
 look()
 
 # %% name="two-odoms-tree" tags=["collapsed"] slide="-"
+# Show each edge with its rate and its publishers.
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="two-odoms-seen"
@@ -1000,13 +1014,18 @@ lesson.frame_tree(graph, seconds=2.0)
 # 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 두 로봇의 좌표계가 섞이거나 조회가 실패합니다.
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before"
 # 1. What are the three parts of a usable measurement, and which one does this chapter leave out?
 # 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was published as it is, and which is an inverse?
 # 3. In the message of an edge, which field names the parent?
@@ -1019,9 +1038,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before"
 # 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
 # 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 발행된 그대로인 것은 무엇이고 역변환인 것은 무엇입니까?
 # 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
@@ -1034,9 +1051,13 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice question · Q4
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q4
+
+# %% [markdown] lang="en" name="practice"
 # What symptoms may appear when two nodes publish the same child in a TF tree? Write three or four sentences.
 #
 # <details><summary>What a full answer contains</summary>
@@ -1049,9 +1070,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q4
-#
+# %% [markdown] lang="ko" name="practice"
 # TF 트리에서 같은 자식을 두 노드가 발행하면 어떤 증상이 나타날 수 있습니까? 서너 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

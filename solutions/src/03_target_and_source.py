@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # Exercises 03 · Target and source
 #
-# Seven tasks, 26 points, about 45 minutes.
+# Eight tasks, 29 points, about 50 minutes.
 # The page they belong to: [03 · Target and source](../../notebooks/en/03_target_and_source.ipynb).
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
@@ -12,7 +12,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 연습 문제 03 · 목표 좌표계와 원본 좌표계
 #
-# 과제 일곱 개, 26점, 약 45분입니다.
+# 과제 여덟 개, 29점, 약 50분입니다.
 # 본문은 여기에 있습니다: [03 · 목표 좌표계와 원본 좌표계](../../notebooks/ko/03_target_and_source.ipynb).
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
@@ -283,6 +283,45 @@ verdict = {
 
 # %% name="e3-7-check" tags=["check"]
 check("E3.7", verdict)
+
+# %% [markdown] lang="en" name="e3-8" slide="slide"
+# ## E3.8 · Rotation, translation, both or neither (3 points)
+#
+# Six values are expressed in a sensor's frame, and you need them in `base_link`. The sensor is mounted away from `base_link` and rotated. Which part of the transform changes each value? Choose `"both"`, `"rotation"` or `"neither"`.
+#
+# - **corner** the corner of a shelf, a point that the laser measured
+# - **velocity** of a person who walks past
+# - **gravity** the acceleration that the IMU measures while the robot stands still
+# - **position** of a box, from a `PoseStamped`
+# - **orientation** of the same box
+# - **distance** between the box and the corner, one number in metres
+
+# %% [markdown] lang="ko" name="e3-8" slide="slide"
+# ## E3.8 · 회전, 이동, 둘 다, 둘 다 아님 (3점)
+#
+# 센서의 좌표계 기준인 값이 여섯 개 있고, `base_link` 기준으로 바꾸려고 합니다. 센서는 `base_link`에서 떨어진 곳에 회전시켜 달았습니다. 변환의 어느 부분이 값을 바꿉니까? `"both"`(둘 다), `"rotation"`(회전만), `"neither"`(둘 다 아님) 가운데 하나로 답하십시오.
+#
+# - **corner** 레이저가 측정한 점인 선반 모서리
+# - **velocity** 지나가는 사람의 속도
+# - **gravity** 로봇이 서 있는 동안 IMU가 측정한 가속도
+# - **position** `PoseStamped`에 들어 있는 상자의 위치
+# - **orientation** 같은 상자의 방향
+# - **distance** 상자와 모서리 사이의 거리, 미터 단위인 숫자 하나
+
+# %% name="e3-8-answer" tags=["answer"]
+applies = {
+    # BEGIN SOLUTION
+    'corner': 'both',
+    'velocity': 'rotation',
+    'gravity': 'rotation',
+    'position': 'both',
+    'orientation': 'rotation',
+    'distance': 'neither',
+    # END SOLUTION
+}
+
+# %% name="e3-8-check" tags=["check"]
+check("E3.8", applies)
 
 # %% [markdown] lang="en" name="done" slide="slide"
 # ## Done?

@@ -325,7 +325,7 @@ def draw_scene(
     with style.our_settings():
         ax = clear_paper(picture.figure.add_axes((0.02, 0.03, 0.96, 0.94)))
         if eye is FROM_ABOVE:
-            _make_room_for_ticks(ax, picture, fixed_frame)
+            _make_room_for_ticks(ax, picture, fixed_frame, step_m)
         show_frames(ax, eye, places, length_m, margin_m=0.3 * length_m)
         low, high = places.min(axis=0) - length_m, places.max(axis=0) + length_m
         draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), step_m)
@@ -367,9 +367,10 @@ def describe_scene(
     return "\n".join(lines)
 
 
-def _make_room_for_ticks(ax: Axes, picture: Picture, fixed_frame: str) -> None:
+def _make_room_for_ticks(ax: Axes, picture: Picture, fixed_frame: str, step_m: float) -> None:
     """Let the axes of a scene from above be seen, and name them."""
     (left, below), (width, height) = TICKS_PX, picture.size_px
+    left += 20 if step_m < 0.1 else 0  # for a second decimal
     ax.set_axis_on()
     ax.set_position((left / width, below / height, 1 - (left + 14) / width, 1 - (below + 14) / height))
     style.name_plane(ax, fixed_frame)
