@@ -218,6 +218,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 지도를 기준으로 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 살펴보세요. 가만히 있다가 갑자기 튑니다.
 # 26초에 `odom`은 0.12 m 이동하고 회전합니다. 그 원점에서 1.5 m 떨어진 로봇은 0.24 m 이동합니다.
+#
 # *그림 읽기:* truth = 실제 경로, time = 시각. 위에서 본 그림에서는 회색이 바로잡기 전(grey: before)이고 뾰족한 쪽이 로봇의 앞입니다.
 
 # %% name="in-3d-scene" tags=["collapsed"] slide="skip"
@@ -416,6 +417,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* 옆에서 본 그림입니다. detected = 레이저가 본 점, if level = 로봇이 기울지 않았다고 여길 때의 점, up = 바닥에서의 높이.
+#
 # 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽 한가운데를 낮은 턱으로 착각합니다.
 # 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 `odom → base_footprint`와 `odom → base_link` 가운데 어느 것을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
 #

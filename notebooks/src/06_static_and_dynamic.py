@@ -725,6 +725,7 @@ lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, l
 
 # %% [markdown] lang="ko" name="forward" slide="subslide"
 # 숫자 하나만 고치면 됩니다. 3D 장면에서 theta를 바꾸며 강의 코드의 로봇(회색)과 앞으로 달리는 로봇을 비교해 보세요.
+#
 # *그림 읽기:* theta = 원 위의 각도, as written = 강의 코드대로, forward = 앞으로 달리는 로봇, goes = 가는 방향.
 
 # %% name="forward-robot" slide="-"
