@@ -233,7 +233,7 @@ lesson.show_progress()
 # ## The chapters
 #
 # Each chapter begins with a fault that somebody reported. Its core takes three quarters of an hour at most, and ends with the heading *Enough to go on*.
-# What follows below that heading is collapsed, and it is for the curious. The minutes in the table are for the core: to read, to predict and to run it.
+# What follows is for the curious. It is collapsed to its headings; click on *cells hidden* below a heading to open it. The minutes in the table are for the core: to read, to predict and to run it.
 #
 # **If you have one evening,** read 00, 01, 03 and 08, in this order and without the exercises. They are the core path: what a position needs, in which frame you want it, and where the robot was when it measured.
 
@@ -241,7 +241,7 @@ lesson.show_progress()
 # ## 장 목록
 #
 # 각 장은 누군가 실제로 겪고 보고한 실패로 시작합니다. 장마다 핵심은 길어야 45분이고, *여기까지면 충분합니다*라는 제목에서 끝납니다.
-# 그 아래는 접혀 있으며, 더 알고 싶은 사람을 위한 것입니다. 표의 분은 핵심을 읽고, 예측하고, 실행하는 데 걸리는 시간입니다.
+# 그다음은 더 알고 싶은 사람을 위한 것으로, 제목만 남기고 접혀 있습니다. 제목 밑의 *cells hidden*을 클릭하면 펼쳐집니다. 표의 분은 핵심을 읽고, 예측하고, 실행하는 데 걸리는 시간입니다.
 #
 # **하룻저녁만 낼 수 있다면** 00, 01, 03, 08장을 이 순서로, 연습 문제 없이 보십시오. 위치에 꼭 필요한 것, 결과의 기준이 될 좌표계, 측정한 순간에 로봇이 있던 곳을 다루는 핵심 코스입니다.
 
