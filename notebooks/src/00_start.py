@@ -233,7 +233,7 @@ lesson.show_progress()
 # ## The chapters
 #
 # Each chapter begins with a fault that somebody reported. Its core takes three quarters of an hour at most, and ends with the heading *Enough to go on*.
-# What follows below that heading is collapsed, and it is for the curious. The minutes in the table are for the core: to read, to predict and to run it.
+# What follows is for the curious. It is collapsed to its headings; click on *cells hidden* below a heading to open it. The minutes in the table are for the core: to read, to predict and to run it.
 #
 # **If you have one evening,** read 00, 01, 03 and 08, in this order and without the exercises. They are the core path: what a position needs, in which frame you want it, and where the robot was when it measured.
 
@@ -241,7 +241,7 @@ lesson.show_progress()
 # ## 장 목록
 #
 # 각 장은 누군가 실제로 겪고 보고한 실패로 시작합니다. 장마다 핵심은 길어야 45분이고, *여기까지면 충분합니다*라는 제목에서 끝납니다.
-# 그 아래는 접혀 있으며, 더 알고 싶은 사람을 위한 것입니다. 표의 분은 핵심을 읽고, 예측하고, 실행하는 데 걸리는 시간입니다.
+# 그다음은 더 알고 싶은 사람을 위한 것으로, 제목만 남기고 접혀 있습니다. 제목 밑의 *cells hidden*을 클릭하면 펼쳐집니다. 표의 분은 핵심을 읽고, 예측하고, 실행하는 데 걸리는 시간입니다.
 #
 # **하룻저녁만 낼 수 있다면** 00, 01, 03, 08장을 이 순서로, 연습 문제 없이 보십시오. 위치에 꼭 필요한 것, 결과의 기준이 될 좌표계, 측정한 순간에 로봇이 있던 곳을 다루는 핵심 코스입니다.
 
@@ -249,39 +249,39 @@ lesson.show_progress()
 # | no. | chapter | its question | minutes | builds on | exercise, minutes |
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | When are three numbers a position? | 30 | 0 | [E1](../../exercises/en/E01_value_frame_stamp.ipynb), 50 |
-# | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb), 40 |
-# | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb), 45 |
-# | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 50 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb), 60 |
-# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb), 60 |
-# | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 60 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb), 70 |
-# | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 60 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb), 60 |
-# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 75 | 1, 3, 4, 5, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb), 60 |
-# | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb), 45 |
-# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 55 | 6, 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb), 60 |
-# | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb), 45 |
-# | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Which node owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb), 105 |
+# | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 45 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb), 45 |
+# | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 35 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb), 45 |
+# | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 30 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb), 60 |
+# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 25 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb), 60 |
+# | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 35 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb), 70 |
+# | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 45 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb), 60 |
+# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 45 | 1, 3, 4, 5, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb), 60 |
+# | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 35 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb), 45 |
+# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 30 | 6, 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb), 60 |
+# | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 45 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb), 45 |
+# | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Which node owns each edge, and what is broken? | 45 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb), 105 |
 #
-# All pages together take about 12 hours, and all exercises about 12 hours more.
-# The path for one evening takes 180 minutes.
+# The cores of all pages take about 8 hours together, and all exercises about 12 hours more.
+# The path for one evening takes 125 minutes.
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습, 분 |
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개가 위치가 되려면 무엇이 더 필요할까요? | 30 | 0 | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb), 50 |
-# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 축이 앞이고, 회전은 어떻게 적을까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb), 40 |
-# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb), 45 |
-# | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 50 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb), 60 |
-# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb), 60 |
-# | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 어느 노드가 변환을 발행하고, 얼마나 자주 발행할까요? | 60 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb), 70 |
-# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb), 60 |
-# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 75 | 1, 3, 4, 5, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb), 60 |
-# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 조회가 실패할까요? 기다리면 될까요? | 90 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb), 45 |
-# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 55 | 6, 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb), 60 |
-# | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb), 45 |
-# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 어느 노드의 책임이고, 무엇이 고장 났을까요? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb), 105 |
+# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 축이 앞이고, 회전은 어떻게 적을까요? | 45 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb), 45 |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 35 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb), 45 |
+# | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 30 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb), 60 |
+# | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 25 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb), 60 |
+# | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 어느 노드가 변환을 발행하고, 얼마나 자주 발행할까요? | 35 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb), 70 |
+# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 45 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb), 60 |
+# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 45 | 1, 3, 4, 5, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb), 60 |
+# | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 조회가 실패할까요? 기다리면 될까요? | 35 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb), 45 |
+# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 30 | 6, 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb), 60 |
+# | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 45 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb), 45 |
+# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 어느 노드의 책임이고, 무엇이 고장 났을까요? | 45 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb), 105 |
 #
-# 모든 페이지를 보는 데 약 12시간, 모든 연습 문제를 푸는 데 다시 약 12시간이 걸립니다.
-# 하룻저녁 코스는 180분입니다.
+# 모든 페이지의 핵심을 보는 데 약 8시간, 모든 연습 문제를 푸는 데 다시 약 12시간이 걸립니다.
+# 하룻저녁 코스는 125분입니다.
 
 # %% [markdown] lang="en" name="map-why" slide="-"
 # An arrow means *builds on*. An arrow that follows from others is left out.

@@ -924,7 +924,7 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 # You can now name the three parts of a measurement, express one position in several frames, calculate the age of a message, and reject incomplete data.
 # **Now the exercise:** [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb). The next chapter is [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward? On the path for one evening, go on with [03 Target and source](03_target_and_source.ipynb).
 #
-# The sections below are for practice, and for those who want to see more. Click on a heading to open it.
+# The sections below are for practice, and for those who want to see more. Open a heading to see what it holds.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
@@ -932,7 +932,7 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 # 이제 측정값에 꼭 필요한 세 가지를 말하고, 한 위치를 여러 좌표계 기준으로 나타내고, 메시지의 나이를 계산하고, 빠진 것이 있는 데이터를 거절할 수 있습니다.
 # **이제 연습 문제를 풀어 보세요:** [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb). 다음 장은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 축이 앞이고, 회전은 어떻게 적을까요? 하룻저녁 코스라면 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다.
 #
-# 아래는 더 연습하거나 더 알고 싶을 때 보는 내용입니다. 제목을 클릭하면 펼쳐집니다.
+# 아래는 더 연습하거나 더 알고 싶을 때 보는 내용입니다. 필요한 제목을 펼쳐 보세요.
 
 # %% [markdown] lang="en" name="rulers" slide="slide"
 # ## Move the robot: whose coordinates change?

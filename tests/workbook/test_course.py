@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.course.contents import (
+    EVENING,
     GLOSSARY_PAGE,
     START_PAGE,
     chapter_table,
@@ -56,6 +57,10 @@ def test_the_chapters_have_their_names_and_build_only_on_earlier_ones() -> None:
         named = page.partition("builds on ")[2].partition("\n")[0]
         assert tuple(int(number) for number in re.findall(r"\d\d", named)) == chapter.builds_on
         assert 15 <= chapter.minutes <= 45
+
+
+def test_the_path_for_one_evening_takes_three_hours_at_most() -> None:
+    assert sum(chapter.minutes for chapter in read_course().chapters if chapter.number in EVENING) <= 180
 
 
 def test_every_section_and_every_question_of_the_lecture_has_its_chapter() -> None:

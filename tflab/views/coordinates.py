@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 
 ROBOT = "base_link"
 ROBOT_SCALE = 2.4  # larger than life: what lies on its tray must not cover it
-WIDTH_PX = 520  # of a figure: its letters can be read on a phone
-CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX, SCALE_PX = 152, 116, 14, 8, 14  # beside a map, its height, margins
+WIDTH_PX = 490  # of a figure: its letters can be read on a phone
+CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX, SCALE_PX = 150, 112, 14, 8, 14  # beside a map, its height, margins
 SAME_M = 0.0005  # what prints alike is called the same
 MARGIN_M = 1.0  # around what is shown, at the least
 ROOM_FOR_LABELS = 0.22  # part of its width
