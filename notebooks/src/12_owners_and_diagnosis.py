@@ -188,18 +188,29 @@ for name, (x, y) in places:
 # | slam_toolbox | `transform_publish_period: 0.0` |
 # | rtabmap | `publish_tf` |
 
-# %% name="owner-table" tags=["collapsed"] slide="fragment"
-# Draw a table of owners.
-lesson.draw_owners(
-    [
-        ("map -> odom", "localization", "scan, map", "tf_broadcast", "10.2 Hz"),
-        ("odom -> base_footprint", "wheel_odometry", "wheels", "publish_tf", "20.2 Hz"),
-        ("odom -> base_footprint", "ekf_filter_node", "wheels, imu", "publish_tf", "30.2 Hz"),
-        ("base_footprint -> base_link", "robot_state_publisher", "URDF", "", "static"),
-        ("wrist -> tool0", "robot_state_publisher", "URDF", "", "static"),
-        ("base_link -> gripper", ""),
-    ]
-)
+# %% [markdown] lang="en" name="owner-table" slide="fragment"
+# This is the table of the robot above, on which someone has also added a gripper:
+#
+# | edge | owner | source | switch | rate | |
+# |---|---|---|---|---|---|
+# | `map → odom` | `localization` | scan, map | `tf_broadcast` | 10.2 Hz | |
+# | `odom → base_footprint` | `wheel_odometry` | wheels | `publish_tf` | 20.2 Hz | **! 2** |
+# | `odom → base_footprint` | `ekf_filter_node` | wheels, IMU | `publish_tf` | 30.2 Hz | **! 2** |
+# | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | static | |
+# | `wrist → tool0` | `robot_state_publisher` | URDF | – | static | |
+# | `base_link → gripper` | **nobody** | – | – | – | **! 0** |
+
+# %% [markdown] lang="ko" name="owner-table" slide="fragment"
+# 앞에서 본 로봇의 표입니다. 누군가 그리퍼도 하나 달았습니다.
+#
+# | 연결 | 발행자 | 데이터 | 스위치 | 발행률 | |
+# |---|---|---|---|---|---|
+# | `map → odom` | `localization` | 스캔, 지도 | `tf_broadcast` | 10.2 Hz | |
+# | `odom → base_footprint` | `wheel_odometry` | 바퀴 | `publish_tf` | 20.2 Hz | **! 2** |
+# | `odom → base_footprint` | `ekf_filter_node` | 바퀴, IMU | `publish_tf` | 30.2 Hz | **! 2** |
+# | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | 정적 | |
+# | `wrist → tool0` | `robot_state_publisher` | URDF | – | 정적 | |
+# | `base_link → gripper` | **없음** | – | – | – | **! 0** |
 
 # %% [markdown] lang="en" name="owner-seen"
 # `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong; an empty one to print is near the end of the page. You need to know the normal state to notice a fault.
@@ -207,14 +218,14 @@ lesson.draw_owners(
 # If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. It prints `<no authority available>` for each frame and each node. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 좌표계와 노드의 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
-# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
+# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the table.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
-# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보여 줍니다.
+# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 표를 보여 줍니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -813,7 +824,7 @@ visit.try_fix()
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
 # %% [markdown] lang="en" name="faded-heading" slide="slide"
-# ## Half with help: it jumps
+# ## Half with help: the robot jumps
 
 # %% [markdown] lang="ko" name="faded-heading" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
