@@ -191,26 +191,26 @@ for name, (x, y) in places:
 # %% [markdown] lang="en" name="owner-table" slide="fragment"
 # This is the table of the robot above, on which someone has also added a gripper:
 #
-# | edge | owner | source | switch | rate | |
+# |  | edge | owner | source | switch | rate |
 # |---|---|---|---|---|---|
-# | `map → odom` | `localization` | scan, map | `tf_broadcast` | 10.2 Hz | |
-# | `odom → base_footprint` | `wheel_odometry` | wheels | `publish_tf` | 20.2 Hz | **! 2** |
-# | `odom → base_footprint` | `ekf_filter_node` | wheels, IMU | `publish_tf` | 30.2 Hz | **! 2** |
-# | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | static | |
-# | `wrist → tool0` | `robot_state_publisher` | URDF | – | static | |
-# | `base_link → gripper` | **nobody** | – | – | – | **! 0** |
+# |  | `map → odom` | `localization` | scan, map | `tf_broadcast` | 10.2 Hz |
+# | **! 2** | `odom → base_footprint` | `wheel_odometry` | wheels | `publish_tf` | 20.2 Hz |
+# | **! 2** | `odom → base_footprint` | `ekf_filter_node` | wheels, IMU | `publish_tf` | 30.2 Hz |
+# |  | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | static |
+# |  | `wrist → tool0` | `robot_state_publisher` | URDF | – | static |
+# | **! 0** | `base_link → gripper` | **nobody** | – | – | – |
 
 # %% [markdown] lang="ko" name="owner-table" slide="fragment"
 # 앞에서 본 로봇의 표입니다. 누군가 그리퍼도 하나 달았습니다.
 #
-# | 연결 | 발행자 | 데이터 | 스위치 | 발행률 | |
+# |  | 연결 | 발행자 | 데이터 | 스위치 | 발행률 |
 # |---|---|---|---|---|---|
-# | `map → odom` | `localization` | 스캔, 지도 | `tf_broadcast` | 10.2 Hz | |
-# | `odom → base_footprint` | `wheel_odometry` | 바퀴 | `publish_tf` | 20.2 Hz | **! 2** |
-# | `odom → base_footprint` | `ekf_filter_node` | 바퀴, IMU | `publish_tf` | 30.2 Hz | **! 2** |
-# | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | 정적 | |
-# | `wrist → tool0` | `robot_state_publisher` | URDF | – | 정적 | |
-# | `base_link → gripper` | **없음** | – | – | – | **! 0** |
+# |  | `map → odom` | `localization` | 스캔, 지도 | `tf_broadcast` | 10.2 Hz |
+# | **! 2** | `odom → base_footprint` | `wheel_odometry` | 바퀴 | `publish_tf` | 20.2 Hz |
+# | **! 2** | `odom → base_footprint` | `ekf_filter_node` | 바퀴, IMU | `publish_tf` | 30.2 Hz |
+# |  | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | 정적 |
+# |  | `wrist → tool0` | `robot_state_publisher` | URDF | – | 정적 |
+# | **! 0** | `base_link → gripper` | **없음** | – | – | – |
 
 # %% [markdown] lang="en" name="owner-seen"
 # `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong; an empty one to print is near the end of the page. You need to know the normal state to notice a fault.
