@@ -138,6 +138,7 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 도구의 출력을 조금 줄인 것입니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
 
 # %% name="ask-first-panel" tags=["interactive", "collapsed"] slide="subslide"
+# Start a robot, and put seven questions to seven tools.
 lesson.start_robot()
 lesson.tools_panel()
 
@@ -151,6 +152,7 @@ lesson.tools_panel().picture
 # 표까지 합해 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
 
 # %% name="ask-first-table" tags=["collapsed"] slide="subslide"
+# Draw which tool answers which question.
 lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
@@ -180,6 +182,7 @@ lesson.draw_toolbox()
 # 로봇이 9초 동안 달린 뒤에 도구를 실행합니다. 첫 보고는 10.5초 뒤에 나옵니다.
 
 # %% name="monitor-robot" tags=["collapsed"] slide="skip"
+# Start the robot, and let it drive for nine seconds.
 graph = lesson.start_robot()
 graph.run(seconds=9.1)
 
@@ -215,6 +218,7 @@ graph.run(seconds=9.1)
 # 곡선까지 합해 8분입니다. 한 줄씩 읽기 전에, 보고하고 싶은 숫자 하나에 밑줄을 긋게 합니다.
 
 # %% name="monitor-average" tags=["collapsed"] slide="subslide"
+# Draw how avg approaches the true delay.
 looks = range(0, 481, 4)  # two a second, for four minutes
 times = [0.5 * n for n in looks]
 avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
@@ -313,6 +317,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 발행합니다. 이 연결의 발행률은 얼마로 나올까요?
 
 # %% name="two-owners-robot" tags=["predicted", "collapsed"] slide="skip"
+# Start a robot whose EKF publishes the edge, too.
 graph = lesson.start_robot(also=['ekf_filter_node'])
 
 # %% name="two-owners-tree" tags=["predicted"]
@@ -341,6 +346,7 @@ graph = lesson.start_robot(also=['ekf_filter_node'])
 # [[tf2_echo]]는 첫째 좌표계를 기준으로 한 둘째 좌표계의 포즈를 출력합니다. 따로 정하지 않으면 1초에 한 번입니다.
 
 # %% name="echo-robot" tags=["collapsed"] slide="skip"
+# Start the robot, and let it drive for twenty seconds.
 graph = lesson.start_robot()
 graph.run(seconds=20.15)
 
@@ -436,6 +442,7 @@ for f in (1, 2, 10, 20):
 # *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 보간한 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
 
 # %% name="often-enough-panel" tags=["interactive", "collapsed"] slide="subslide"
+# Show arc and chord at a speed, a yaw rate and a rate.
 lesson.rate_panel()
 
 # %% name="often-enough-still" tags=["static"]
@@ -466,6 +473,7 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
 # %% name="rviz-robot" tags=["collapsed"] slide="skip"
+# Start the robot, and let it drive for 24 seconds.
 graph = lesson.start_robot()
 graph.run(seconds=24)
 
@@ -493,6 +501,7 @@ lesson.draw_rviz(until_s=25.0)
 # **질문 4.** RViz는 고정 좌표계를 목표로 `lookup_transform`을 호출합니다. 고정 좌표계 셋으로 똑같이 해 보고, 그때마다 `odom` 기준 로봇의 포즈도 조회합니다.
 
 # %% name="fixed-frame-robot" tags=["predicted", "collapsed"] slide="skip"
+# Start the robot again, and let it drive for 24 seconds.
 graph = lesson.start_robot()
 graph.run(seconds=24)
 
@@ -555,6 +564,7 @@ rclpy.shutdown()
 # 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 사실이 아닌 것은 어느 것입니까? 없습니다. 그다음 로봇마다 오류가 나올 줄을 종이에 적게 합니다.
 
 # %% name="three-robots-mount" tags=["predicted", "collapsed"] slide="subslide"
+# Draw what RViz shows of the robot with the wrong mount.
 lesson.start_robot('mount')
 lesson.draw_rviz(until_s=25.0)
 
@@ -565,6 +575,7 @@ lesson.draw_rviz(until_s=25.0)
 # 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 비교할까요? 도면입니다.
 
 # %% name="three-robots-header" tags=["predicted", "collapsed"] slide="subslide"
+# Draw what RViz shows of the robot with the wrong header.
 lesson.start_robot('header')
 lesson.draw_rviz(until_s=25.0)
 
@@ -575,6 +586,7 @@ lesson.draw_rviz(until_s=25.0)
 # 또 같은 목록입니다. 헤더는 무엇과 비교할까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
 
 # %% name="three-robots-clock" tags=["predicted", "collapsed"] slide="subslide"
+# Draw what RViz shows of the robot with the slow clock.
 lesson.start_robot('clock')
 lesson.draw_rviz(until_s=25.0)
 
@@ -639,6 +651,7 @@ lesson.start_robot('clock').run(seconds=5)
 # 목록의 첫 오류 줄이 같은 고장 두 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저 위치 추정 노드를 멈추고(터미널에서 Ctrl-C) 한참 뒤에 RViz를 엽니다.
 
 # %% name="break-localization" tags=["predicted", "collapsed"]
+# Stop the localiser, and draw what RViz shows.
 lesson.start_robot().run(seconds=5)
 lesson.stop_node('localization')
 lesson.draw_rviz()
@@ -656,6 +669,7 @@ lesson.draw_rviz()
 # 둘째는 대문자 하나입니다. 고정 좌표계가 `Map`입니다.
 
 # %% name="break-capital" tags=["predicted", "collapsed"]
+# Draw what RViz shows with the Fixed Frame Map.
 lesson.start_robot().run(seconds=5)
 lesson.draw_rviz(fixed_frame='Map')
 
@@ -906,17 +920,20 @@ lesson.draw_rviz(fixed_frame='Map')
 #
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
-# %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
+# %% [markdown] lang="en" name="more-faults-heading" slide="subslide"
 # ## More faults in RViz: no joints, no odometry, two owners
-#
+
+# %% [markdown] lang="ko" name="more-faults-heading" slide="subslide"
+# ## RViz의 다른 고장: 관절 값 없음, 오도메트리 없음, 발행자 둘
+
+# %% [markdown] lang="en" name="break-joints-predict" slide="-"
 # First, no node publishes the joint positions any more. **Predict** each time: which displays fail?
 
-# %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
-# ## RViz의 다른 고장: 관절 값 없음, 오도메트리 없음, 발행자 둘
-#
+# %% [markdown] lang="ko" name="break-joints-predict" slide="-"
 # 먼저 관절 값을 발행하는 노드가 없을 때입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.**
 
 # %% name="break-joints" tags=["predicted", "collapsed"]
+# Stop the joint driver, and draw what RViz shows.
 lesson.start_robot()
 lesson.stop_node('joint_driver')
 lesson.draw_rviz()
@@ -934,6 +951,7 @@ lesson.draw_rviz()
 # 다음은 바퀴 오도메트리 노드가 멈추고, 조금 뒤에 RViz를 엽니다.
 
 # %% name="break-odometry" tags=["predicted", "collapsed"]
+# Stop the wheel odometry, and draw what RViz shows.
 lesson.start_robot().run(seconds=5)
 lesson.stop_node('wheel_odometry')
 lesson.draw_rviz()
@@ -951,6 +969,7 @@ lesson.draw_rviz()
 # 그리고 오류 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 발행합니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 그때마다 Ok입니다. 목록에 나오지 않는 것도 1초에 스무 번 조회하면 드러납니다.
 
 # %% name="break-ekf-robot" tags=["predicted", "collapsed"] slide="skip"
+# Start a robot whose EKF publishes the edge, too.
 graph = lesson.start_robot(also=['ekf_filter_node'])
 graph.run(seconds=25.5)
 
@@ -964,11 +983,16 @@ graph.run(seconds=25.5)
 # x는 0.15 m, yaw는 11°씩 오락가락합니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the robot's nodes.
 graph.stop()
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. A frame without a parent: what is it called, and how many of them has a healthy robot?
 # 2. The localiser corrects the pose by 20 cm. Which edge changes?
 # 3. Which stamp does RViz use to place a scan, and why not the newest?
@@ -981,9 +1005,7 @@ graph.stop()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. 부모가 없는 좌표계를 무엇이라고 합니까? 정상인 로봇에는 몇 개 있습니까?
 # 2. 위치 추정 노드가 포즈를 20 cm 바로잡습니다. 어느 연결이 바뀝니까?
 # 3. RViz는 스캔을 어느 시각의 변환으로 그립니까? 왜 최신 변환을 쓰지 않습니까?
@@ -1002,9 +1024,13 @@ graph.stop()
 # %% [markdown] lang="ko" name="from-before-notes" slide="notes"
 # 집에서 합니다. 1분이 남으면 둘째 문제만 소리 내어 풉니다.
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice question · Q9
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q9
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot show.
 #
 # <details><summary>What a full answer contains</summary>
@@ -1017,9 +1043,7 @@ graph.stop()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q9
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 알 수 없는 것까지 네다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

@@ -86,6 +86,7 @@ from tflab.workbook import lesson
 before, after, between = ..., ..., ...
 
 # %% name="two-owners" tags=["collapsed"] slide="skip"
+# Start the robot, and 10 ms later the filter.
 graph = lesson.new_graph()
 robot = lesson.TeachingRobot()
 lesson.launch(graph, robot, only=["robot_state_publisher", "joint_driver", "wheel_odometry", "localization"])
@@ -127,6 +128,7 @@ buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 
 # %% name="count-edge" tags=["collapsed"] slide="skip"
+# Define count_edge(): count the samples of odom -> base_footprint.
 def count_edge(seconds=4.0):
     buffer.clear()
     graph.run(seconds=seconds)
@@ -139,6 +141,7 @@ count_edge()
 count_edge()
 
 # %% name="neighbours" tags=["predicted", "collapsed"] slide="skip"
+# Find two neighbouring samples, one of each owner.
 from itertools import pairwise
 
 history = buffer.core.history("base_footprint")
@@ -185,17 +188,29 @@ for name, (x, y) in places:
 # | slam_toolbox | `transform_publish_period: 0.0` |
 # | rtabmap | `publish_tf` |
 
-# %% name="owner-table" tags=["collapsed"] slide="fragment"
-lesson.draw_owners(
-    [
-        ("map -> odom", "localization", "scan, map", "tf_broadcast", "10.2 Hz"),
-        ("odom -> base_footprint", "wheel_odometry", "wheels", "publish_tf", "20.2 Hz"),
-        ("odom -> base_footprint", "ekf_filter_node", "wheels, imu", "publish_tf", "30.2 Hz"),
-        ("base_footprint -> base_link", "robot_state_publisher", "URDF", "", "static"),
-        ("wrist -> tool0", "robot_state_publisher", "URDF", "", "static"),
-        ("base_link -> gripper", ""),
-    ]
-)
+# %% [markdown] lang="en" name="owner-table" slide="fragment"
+# This is the table of the robot above, on which someone has also added a gripper:
+#
+# |  | edge | owner | source | switch | rate |
+# |---|---|---|---|---|---|
+# |  | `map → odom` | `localization` | scan, map | `tf_broadcast` | 10.2 Hz |
+# | **! 2** | `odom → base_footprint` | `wheel_odometry` | wheels | `publish_tf` | 20.2 Hz |
+# | **! 2** | `odom → base_footprint` | `ekf_filter_node` | wheels, IMU | `publish_tf` | 30.2 Hz |
+# |  | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | static |
+# |  | `wrist → tool0` | `robot_state_publisher` | URDF | – | static |
+# | **! 0** | `base_link → gripper` | **nobody** | – | – | – |
+
+# %% [markdown] lang="ko" name="owner-table" slide="fragment"
+# 앞에서 본 로봇의 표입니다. 누군가 그리퍼도 하나 달았습니다.
+#
+# |  | 연결 | 발행자 | 데이터 | 스위치 | 발행률 |
+# |---|---|---|---|---|---|
+# |  | `map → odom` | `localization` | 스캔, 지도 | `tf_broadcast` | 10.2 Hz |
+# | **! 2** | `odom → base_footprint` | `wheel_odometry` | 바퀴 | `publish_tf` | 20.2 Hz |
+# | **! 2** | `odom → base_footprint` | `ekf_filter_node` | 바퀴, IMU | `publish_tf` | 30.2 Hz |
+# |  | `base_footprint → base_link` | `robot_state_publisher` | URDF | – | 정적 |
+# |  | `wrist → tool0` | `robot_state_publisher` | URDF | – | 정적 |
+# | **! 0** | `base_link → gripper` | **없음** | – | – | – |
 
 # %% [markdown] lang="en" name="owner-seen"
 # `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong; an empty one to print is near the end of the page. You need to know the normal state to notice a fault.
@@ -203,14 +218,14 @@ lesson.draw_owners(
 # If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. It prints `<no authority available>` for each frame and each node. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 좌표계와 노드의 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
-# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
+# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the table.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
-# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보여 줍니다.
+# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 표를 보여 줍니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -273,6 +288,7 @@ for _ in range(6):
 # 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 오도메트리 노드 없이, 위치 추정 노드 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
 
 # %% name="stop-one-look" tags=["predicted", "collapsed"] slide="fragment"
+# Stop one node after another, and count the edge's samples.
 for name in ("ekf_filter_node", "wheel_odometry", "localization"):
     lesson.stop_node(name)
     print(f"without {name:<16}", end=" ")
@@ -302,6 +318,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 무엇입니까? “번갈아 둘”이라는 답이 나오게 합니다.
 
 # %% name="another-edge-look" tags=["predicted", "collapsed"] slide="fragment"
+# Let a localiser publish map -> base_footprint, and look up the other edge forty times.
 for name in ("ekf_filter_node", "localization"):
     lesson.stop_node(name)
 graph.run(seconds=0.03)
@@ -320,6 +337,7 @@ print(looks)
 # `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇의 부모는 `map`이고 `odom`은 트리에서 떨어지며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
 # %% name="stop-two" tags=["collapsed"] slide="skip"
+# Stop the nodes of this scene.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -369,6 +387,7 @@ graph = lesson.new_graph()
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
 
 # %% name="experiment-b-rviz" tags=["collapsed"] slide="subslide"
+# Draw what RViz shows.
 lesson.draw_rviz()
 
 # %% name="experiment-c" slide="subslide"
@@ -414,6 +433,7 @@ class Odometry(Node):
         self.broadcaster.sendTransform(t)
 
 # %% name="two-processes" tags=["collapsed"] slide="skip"
+# Define two_processes(): start two Odometry nodes, and print x of forty lookups.
 def two_processes(*rates_hz):
     graph = lesson.new_graph()
     for name, x, rate_hz in zip(("wheels", "ekf"), (1.0, 2.0), rates_hz, strict=True):
@@ -482,6 +502,7 @@ two_processes(20, 30)
 # 검사를 제안받되, 세 용의자마다 어떤 결과가 나올지 말할 수 있을 때만 적습니다. 셋의 결과가 같은 검사는 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
 
 # %% name="columns" tags=["collapsed"] slide="fragment"
+# Draw suspects and checks.
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
@@ -503,6 +524,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # 먼저 두 평균을 짐작하게 합니다. 순서가 틀렸다는 이야기가 아닙니다. 순서는 안전하고, 배우기 좋고, 모두 찾아냅니다. 다만 이미 아는 것을 쓰지 않을 뿐입니다.
 
 # %% name="both-ways" tags=["predicted", "collapsed"] slide="fragment"
+# Draw the minutes of both people.
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
@@ -801,14 +823,16 @@ visit.try_fix()
 #
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
-# %% [markdown] lang="en" name="faded" slide="slide"
-# ## Half with help: it jumps
-#
+# %% [markdown] lang="en" name="faded-heading" slide="slide"
+# ## Half with help: the robot jumps
+
+# %% [markdown] lang="ko" name="faded-heading" slide="slide"
+# ## 반만 도움받기: 로봇이 튑니다
+
+# %% [markdown] lang="en" name="faded" slide="-"
 # Two checks are given (`take` is `ask` without the costs); you name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
 
-# %% [markdown] lang="ko" name="faded" slide="slide"
-# ## 반만 도움받기: 로봇이 튑니다
-#
+# %% [markdown] lang="ko" name="faded" slide="-"
 # 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
@@ -831,14 +855,16 @@ if my_cause is not ...:
     jumps.say(cause=my_cause, frame="base_footprint", owner="ekf_filter_node", fix="ekf_filter_node: publish_tf false")
     jumps.try_fix()
 
-# %% [markdown] lang="en" name="alone" slide="slide"
-# ## Alone
-#
+# %% [markdown] lang="en" name="alone-heading" slide="slide"
+# ## Alone: as many patients as you like
+
+# %% [markdown] lang="ko" name="alone-heading" slide="slide"
+# ## 혼자서: 환자는 얼마든지
+
+# %% [markdown] lang="en" name="alone" slide="-"
 # `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. In the panel you do the same as with the calls: choose a check, choose the suspect that it is about, and make the check. Then choose a cause and a fix, and try the fix. `lesson.answer_of(7)` returns the answer. Look at it last.
 
-# %% [markdown] lang="ko" name="alone" slide="slide"
-# ## 혼자서
-#
+# %% [markdown] lang="ko" name="alone" slide="-"
 # `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 의심하는 용의자를 정하고, 검사를 실행해 보세요. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보십시오.
 
 # %% name="panel" tags=["interactive"] slide="skip"
@@ -887,14 +913,16 @@ lesson.show_suspects()
 # %% name="findings-words" tags=["translated"] slide="skip"
 lesson.show_findings("flickers")
 
-# %% [markdown] lang="en" name="break-it" slide="slide"
+# %% [markdown] lang="en" name="break-it-heading" slide="slide"
 # ## Break it: two causes
-#
+
+# %% [markdown] lang="ko" name="break-it-heading" slide="slide"
+# ## 일부러 고장 내기: 원인이 둘
+
+# %% [markdown] lang="en" name="break-it" slide="-"
 # Some robots of the clinic have two faults (`lesson.night_shift`). **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
 
-# %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 일부러 고장 내기: 원인이 둘
-#
+# %% [markdown] lang="ko" name="break-it" slide="-"
 # 이번 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
@@ -930,9 +958,13 @@ night.try_fix()
 # %% [markdown] lang="ko" name="doctor-notes" slide="notes"
 # 학생들이 둘씩 직접 진단해 본 다음에 보여 줍니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
 
-# %% [markdown] lang="en" name="experiment-c-file" slide="skip"
+# %% [markdown] lang="en" name="experiment-c-heading" slide="skip"
 # ## Experiment C on your own computer
-#
+
+# %% [markdown] lang="ko" name="experiment-c-heading" slide="skip"
+# ## 여러분의 컴퓨터에서 하는 실험 C
+
+# %% [markdown] lang="en" name="experiment-c-file" slide="skip"
 # Save this node, and start it twice with different parameters: two processes, one edge.
 #
 # ```python
@@ -992,8 +1024,6 @@ night.try_fix()
 # Do this only where no robot listens, and stop both processes with Ctrl-C afterwards. Without ROS 2, `tflab run one_of_two.py` runs one of the two.
 
 # %% [markdown] lang="ko" name="experiment-c-file" slide="skip"
-# ## 여러분의 컴퓨터에서 하는 실험 C
-#
 # 이 노드를 저장하고, 파라미터를 달리해 두 번 시작합니다. 프로세스는 둘이고 연결은 하나입니다.
 #
 # ```python
@@ -1052,9 +1082,13 @@ night.try_fix()
 # 명령마다 터미널을 하나씩 씁니다. RViz에서 고정 좌표계(Fixed Frame)를 `odom`으로 정하고 *TF*를 추가하면 `base_link`가 x = 1과 x = 2 사이를 오갑니다. 둘째 프로세스를 `rate_hz:=20.0`으로 다시 시작해 비교해 보세요.
 # 이 변환을 받는 로봇이 없는 곳에서만 하고, 끝나면 두 프로세스를 Ctrl-C로 종료하십시오. ROS 2가 없으면 `tflab run one_of_two.py`로 둘 가운데 하나를 실행해 볼 수 있습니다.
 
-# %% [markdown] lang="en" name="owner-blank" slide="skip"
+# %% [markdown] lang="en" name="owner-blank-heading" slide="skip"
 # ## A table of owners to print
-#
+
+# %% [markdown] lang="ko" name="owner-blank-heading" slide="skip"
+# ## 인쇄용 발행 책임표
+
+# %% [markdown] lang="en" name="owner-blank" slide="skip"
 # Five usual edges (section 24 of the lecture), and space for those of your own robot.
 #
 # | edge | usual owner | made of | our node | its switch, on or off | rate |
@@ -1067,8 +1101,6 @@ night.try_fix()
 # | | | | | | |
 
 # %% [markdown] lang="ko" name="owner-blank" slide="skip"
-# ## 인쇄용 발행 책임표
-#
 # 강의 24절의 다섯 연결과, 여러분 로봇의 연결을 적을 빈칸입니다.
 #
 # | 연결 | 흔한 발행자 | 데이터 | 우리 노드 | 스위치(켬/끔) | 발행률 |
@@ -1080,9 +1112,13 @@ night.try_fix()
 # | `earth → map`, 또는 여러 로봇의 공통 좌표계 | 위치 추정, 관제 시스템 | GNSS, 측량 | | | |
 # | | | | | | |
 
-# %% [markdown] lang="en" name="ten" slide="skip"
+# %% [markdown] lang="en" name="ten-heading" slide="skip"
 # ## Ten symptoms, and the first check of each
-#
+
+# %% [markdown] lang="ko" name="ten-heading" slide="skip"
+# ## 열 가지 증상과 먼저 할 확인
+
+# %% [markdown] lang="en" name="ten" slide="skip"
 # | you see | likely | first check | chapter |
 # |---|---|---|---|
 # | no Fixed Frame | misspelt, or no node publishes it | RViz's own list, `view_frames` | 11 |
@@ -1097,8 +1133,6 @@ night.try_fix()
 # | off by 90° or 180° | axes, rpy, the order of a quaternion | the URDF's rpy, the axes in RViz | 02, 07 |
 
 # %% [markdown] lang="ko" name="ten" slide="skip"
-# ## 열 가지 증상과 먼저 할 확인
-#
 # 강의 28절의 증상입니다.
 #
 # | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
@@ -1114,9 +1148,13 @@ night.try_fix()
 # | 여러 로봇의 좌표계가 섞임 | 접두사와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
 # | 방향이 90°나 180° 틀림 | 축, rpy, 쿼터니언의 순서 | URDF의 rpy, RViz의 축 | 02, 07 |
 
-# %% [markdown] lang="en" name="twelve" slide="skip"
+# %% [markdown] lang="en" name="twelve-heading" slide="skip"
 # ## Twelve common mistakes, and their remedies
-#
+
+# %% [markdown] lang="ko" name="twelve-heading" slide="skip"
+# ## 열두 가지 실수와 교정
+
+# %% [markdown] lang="en" name="twelve" slide="skip"
 # These are the mistakes of the lecture (section 29). The second column names the patient of the clinic that has the mistake, or the chapter if no patient has it.
 #
 # | the mistake | patient or chapter | remedy |
@@ -1135,8 +1173,6 @@ night.try_fix()
 # | RViz shows nothing, so the sensor must be broken | chapter 11; in the clinic everybody's first suspect, and no patient's fault | check the Fixed Frame and the path in TF first |
 
 # %% [markdown] lang="ko" name="twelve" slide="skip"
-# ## 열두 가지 실수와 교정
-#
 # 강의 29절의 실수입니다. 둘째 열은 그 실수를 한 진료실의 환자이고, 그런 환자가 없으면 그 실수를 다룬 장입니다.
 #
 # | 실수 | 환자 또는 장 | 교정 |
@@ -1154,9 +1190,13 @@ night.try_fix()
 # | 좌표계 접두사를 노드의 네임스페이스와 같게 여김 | 04장, E12.5 | 좌표계 이름을 따로 정하고 트리에서 확인합니다 |
 # | RViz에 안 보이면 센서 고장으로 판단 | 11장, 진료실에서는 누구나 먼저 의심하지만 그런 환자는 없음 | 고정 좌표계와 TF의 경로부터 확인합니다 |
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="from-before-heading" slide="subslide"
 # ## Three questions from earlier chapters
-#
+
+# %% [markdown] lang="ko" name="from-before-heading" slide="subslide"
+# ## 앞 장 복습: 세 문제
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. A localiser finds the robot on the map. Which edge does it publish, and from which two poses?
 # 2. A driver publishes its mount on `/tf_static` with VOLATILE. Why does a tf2 listener not receive it, even one that existed before?
 # 3. “Extrapolation into the future”: which two times do you compare?
@@ -1169,9 +1209,7 @@ night.try_fix()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 구해 발행합니까?
 # 2. 드라이버가 `/tf_static`에 장착 변환을 VOLATILE로 발행합니다. 먼저 참가한 tf2 수신기도 받지 못하는 까닭은 무엇입니까?
 # 3. “Extrapolation into the future”에서 비교하는 두 숫자는 무엇입니까?
@@ -1190,9 +1228,13 @@ night.try_fix()
 # %% [markdown] lang="ko" name="from-before-notes" slide="notes"
 # 집에서 합니다. 1분이 남으면 첫 문제만 소리 내어 풉니다.
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice questions · Q4, Q14 and Q15
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제 · Q4, Q14, Q15
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **4.** Two nodes publish the same child. What can be seen? Write three or four sentences.
 #
 # <details><summary>What a full answer contains</summary>
@@ -1227,9 +1269,7 @@ night.try_fix()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q4, Q14, Q15
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **4.** 같은 자식을 두 노드가 발행하면 어떤 증상이 나타납니까? 서너 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

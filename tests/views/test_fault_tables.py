@@ -1,16 +1,13 @@
-"""Tables of suspects, owners and tools."""
+"""Tables of suspects and tools."""
 
 from __future__ import annotations
 
 import pytest
 
 from tflab.views.fault_tables import (
-    Owner,
     Suitability,
     ToolOutput,
-    describe_owners,
     describe_suspects,
-    draw_owners,
     draw_suspects,
     draw_tools,
 )
@@ -49,32 +46,6 @@ def test_what_is_no_column_is_refused():
         draw_suspects({})
     with pytest.raises(ValueError, match=r"no column 'tape'; there is delay /scan"):
         draw_suspects(TABLE, {"tape": "x"})
-
-
-TWO = [
-    Owner("map -> odom", "localization", "scan", "tf_broadcast", "10.2 Hz"),
-    Owner("odom -> base_footprint", "wheel_odometry", "wheels", "publish_tf", "20.2 Hz"),
-    Owner("odom -> base_footprint", "ekf_filter_node", "wheels, imu", "publish_tf", "30.1 Hz"),
-    Owner("base_link -> laser_frame", ""),
-]
-
-
-def test_the_words_mark_an_edge_with_two_owners_and_one_with_none():
-    assert describe_owners(TWO).splitlines() == [
-        "map -> odom               localization     scan         tf_broadcast  10.2 Hz",
-        "odom -> base_footprint    wheel_odometry   wheels       publish_tf    20.2 Hz  ! 2",
-        "odom -> base_footprint    ekf_filter_node  wheels, imu  publish_tf    30.1 Hz  ! 2",
-        "base_link -> laser_frame  nobody           -            -             -        ! 0",
-    ]
-
-
-def test_the_picture_says_the_same():
-    picture = draw_owners([tuple(owner) for owner in TWO])
-    assert picture.text == describe_owners(TWO)
-    drawn = [text.get_text() for text in picture.figure.axes[0].texts]
-    assert drawn.count("! 2") == 2 and "nobody" in drawn
-    with pytest.raises(ValueError, match="needs a row"):
-        draw_owners([])
 
 
 TOOLS = [

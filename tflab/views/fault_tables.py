@@ -1,13 +1,11 @@
-"""Draw tables for a diagnosis: suspects by checks, owners of edges, tools by questions.
+"""Draw tables for a diagnosis: suspects by checks, tools by questions.
 
 suspects   a fault dictionary: what each suspect would show in each check
-owners     the node, the data, the switch and the rate of each edge (the authority of a transform)
 tools      which tool answers which question, and what it prints
 """
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -113,78 +111,6 @@ def draw_suspects(findings: Findings, asked: Mapping[str, str] = {}) -> Suspects
     if unknown := [check for check in asked if check not in columns]:
         raise ValueError(f"no column {unknown[0]!r}; there is {', '.join(columns)}")
     return SuspectsPicture(findings, dict(asked))
-
-
-OWNER_PX, HEADING_PX, RIM_PX = 30, 44, 16
-COLUMNS_PX = {"edge": 16, "owner": 227, "source": 380, "switch": 504, "rate": 620, "": 744}
-
-
-class Owner(NamedTuple):
-    """Who says one edge.
-
-    Attributes:
-        edge: "parent -> child".
-        node: who; "" if nobody does.
-        source: of which data it is made.
-        switch: what turns it off; "" if nothing does.
-        rate: how often it comes, "20.2 Hz" or "static".
-    """
-
-    edge: str
-    node: str
-    source: str = ""
-    switch: str = ""
-    rate: str = ""
-
-
-def describe_owners(owners: Sequence[Owner]) -> str:
-    """Return the table in words: a line for each owner, and what is wrong with it."""
-    rows = _owner_rows(owners)
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    return "\n".join(
-        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
-    )
-
-
-def draw_owners(owners: Sequence[Owner | tuple[str, ...]]) -> Picture:
-    """Draw the table of owners.
-
-    Args:
-        owners: a row for each that says an edge, and one without a node for an edge that nobody says.
-
-    Raises:
-        ValueError: there are no rows.
-    """
-    if not owners:
-        raise ValueError(
-            "a table of owners needs a row, such as ('map -> odom', 'amcl', 'scan', 'tf_broadcast', '10 Hz')"
-        )
-    owners = [Owner(*owner) for owner in owners]
-    picture = Picture(style.wide(HEADING_PX + OWNER_PX * len(owners) + RIM_PX))
-    picture.text = describe_owners(owners)
-    heading = (HEADING_PX / 2, tuple(COLUMNS_PX), {"color": style.GREY})
-    with style.our_settings():
-        ax = style.pixel_paper(picture.figure.add_axes((0.0, 0.0, 1.0, 1.0)))
-        rows = [heading]
-        for number, cells in enumerate(_owner_rows(owners)):
-            y = HEADING_PX + (number + 0.5) * OWNER_PX
-            ax.plot([RIM_PX, COLUMNS_PX[""]], [y - OWNER_PX / 2] * 2, color=style.HAIR, linewidth=0.8)
-            rows.append((y, cells, {"color": style.ACCENT, "weight": "bold"} if cells[-1] else {}))
-        for y, cells, how in rows:
-            for cell, x in zip(cells, COLUMNS_PX.values(), strict=True):
-                side = "left" if x < COLUMNS_PX[""] else "right"
-                ax.text(x, y, cell, ha=side, va="center", fontsize=style.SMALL_PT, **how)
-    return picture
-
-
-def _owner_rows(owners: Sequence[Owner]) -> list[tuple[str, ...]]:
-    """Return the cells of each owner, and in the last one what is wrong: how many publish this edge."""
-    counts = Counter(owner.edge for owner in owners if owner.node)
-    rows = []
-    for edge, node, *others in owners:
-        fault = "" if node and counts[edge] == 1 else f"! {counts[edge] if node else 0}"
-        rows.append((edge, node or "nobody", *(each or "-" for each in others), fault))
-    return rows
 
 
 SIGNS = {"answers": "✓", "half": "~", "cannot": "✗"}

@@ -46,7 +46,6 @@ from tflab.views.axes import (
 )
 from tflab.views.clocks import Play, draw_clocks
 from tflab.views.coordinates import draw_moments, draw_rulers, readings_of
-from tflab.views.fault_tables import draw_owners
 from tflab.views.frames import draw_scene
 from tflab.views.late_joiner import Sender, draw_joins
 from tflab.views.late_joiner import SentMessage as Letter
@@ -128,7 +127,7 @@ __all__ = [
     "draw_dominoes",
     "draw_drives", "draw_frame", "draw_heard", "draw_history", "draw_joins", "draw_joints", "draw_journeys",
     "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_moves", "draw_mug", "draw_orders",
-    "draw_owners", "draw_path", "draw_placed", "draw_questions", "draw_readings", "draw_right_hand",
+    "draw_path", "draw_placed", "draw_questions", "draw_readings", "draw_right_hand",
     "draw_room", "draw_rotation", "draw_rulers", "draw_rviz", "draw_scan", "draw_scene", "draw_sentence",
     "draw_toolbox", "draw_tracks", "draw_turns", "draw_walk", "draw_walls", "example_bag", "floor_cloud",
     "fmt", "fmt_all", "frame_tree", "fresh_folder", "joins_panel", "joints_panel", "lane_from_history",
