@@ -236,6 +236,8 @@ lesson.show_progress()
 # What follows is for the curious. It is collapsed to its headings; click on *cells hidden* below a heading to open it. The minutes in the table are for the core: to read, to predict and to run it.
 #
 # **If you have one evening,** read 00, 01, 03 and 08, in this order and without the exercises. They are the core path: what a position needs, in which frame you want it, and where the robot was when it measured.
+#
+# After chapter 12, [From here to a robot](92_to_a_robot.ipynb) takes your nodes to a real robot.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
@@ -244,13 +246,15 @@ lesson.show_progress()
 # 그다음은 더 알고 싶은 사람을 위한 것으로, 제목만 남기고 접혀 있습니다. 제목 밑의 *cells hidden*을 클릭하면 펼쳐집니다. 표의 분은 핵심을 읽고, 예측하고, 실행하는 데 걸리는 시간입니다.
 #
 # **하룻저녁만 낼 수 있다면** 00, 01, 03, 08장을 이 순서로, 연습 문제 없이 보십시오. 위치에 꼭 필요한 것, 결과의 기준이 될 좌표계, 측정한 순간에 로봇이 있던 곳을 다루는 핵심 코스입니다.
+#
+# 12장을 마친 다음에는 [이제 로봇으로](92_to_a_robot.ipynb)에서 내 노드를 로봇에 올립니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | no. | chapter | its question | minutes | builds on | exercise, minutes |
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | When are three numbers a position? | 30 | 0 | [E1](../../exercises/en/E01_value_frame_stamp.ipynb), 50 |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 45 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb), 45 |
-# | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 35 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb), 45 |
+# | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 35 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb), 50 |
 # | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 30 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb), 60 |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 25 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb), 60 |
 # | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 35 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb), 70 |
@@ -269,7 +273,7 @@ lesson.show_progress()
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개가 위치가 되려면 무엇이 더 필요할까요? | 30 | 0 | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb), 50 |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 축이 앞이고, 회전은 어떻게 적을까요? | 45 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb), 45 |
-# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 35 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb), 45 |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 35 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb), 50 |
 # | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 30 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb), 60 |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 25 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb), 60 |
 # | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 어느 노드가 변환을 발행하고, 얼마나 자주 발행할까요? | 35 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb), 70 |

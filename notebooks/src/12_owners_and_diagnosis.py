@@ -806,6 +806,7 @@ visit.try_fix()
 #
 # **Now the exercises:** [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. In them, `solution("E12.1")` shows a solution after you have passed the task or tried three times.
 # This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
+# When you go to a real robot, begin with [From here to a robot](92_to_a_robot.ipynb): your nodes as a package, what differs there, and the first five commands.
 #
 # The sections below are for practice and reference: more patients of the clinic, two faults at once, experiment C on your computer, tables of symptoms and mistakes, and questions.
 #
@@ -818,6 +819,7 @@ visit.try_fix()
 #
 # **이제 연습 문제입니다.** [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)에서 여러분의 로봇 세 대를 진단합니다. 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다.
 # 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
+# 실제 로봇으로 갈 때는 [이제 로봇으로](92_to_a_robot.ipynb)부터 보십시오. 내 노드를 패키지로 만드는 법, 로봇에서 다른 점, 처음 입력할 다섯 명령이 있습니다.
 #
 # 아래는 더 연습하거나 찾아볼 때 쓰는 절입니다. 진료실의 다른 환자, 원인이 둘인 환자, 여러분의 컴퓨터에서 하는 실험 C, 증상과 실수의 표, 복습 문제가 있습니다.
 #
