@@ -170,3 +170,12 @@ def test_in_korean_a_bare_word_shows_both() -> None:
 def test_a_word_that_is_not_there_is_said_with_the_nearest() -> None:
     with pytest.raises(UnknownTerm, match='no "taget frame"; did you mean "target frame"'):
         expand("[[taget frame]]", "en")
+
+
+@pytest.mark.parametrize("stem", [chapter.stem for chapter in read_course().chapters if chapter.number])
+def test_a_core_has_at_most_three_thousand_words_and_says_where_it_ends(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    texts = [cell for cell in page.cells if cell.lang == "en" and cell.slide != "notes"]
+    names = [cell.name for cell in texts]
+    core = texts[: names.index("core-end") + 1]
+    assert sum(len(cell.source.split()) for cell in core) <= 3000
