@@ -66,7 +66,7 @@ from tflab.workbook import lesson
 
 # %% name="the-driver" slide="subslide"
 def driver(name):
-    """Say which edge the driver of the story sends, for a robot of this name."""
+    """Return the edge (parent, child) that the story's driver sends for a robot of this name."""
     wanted = name + "/" + "odom"
     prefix = name + "/" if name else ""
     odom, body = prefix + "odom", prefix + "body"
@@ -228,7 +228,7 @@ lesson.draw_dominoes(
 # ## 예측해 봅시다
 #
 # 1. 누군가 `camera_link`를 한 번 더 발행합니다. 이번에는 그리퍼 `tool0`의 자식으로 발행합니다. 그러면 버퍼에 있는 카메라는 몇 대일까요? 하나일까요, 둘일까요, 아니면 오류일까요?
-# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 어느 조회가 성공할까요? 오류 메시지에 오타가 나올까요?
+# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 입력했습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 어느 조회가 성공할까요? 오류 메시지에 오타가 나올까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Hands for each. For the first, the common wrong answer is "two". For the second, it is "none", and "the error names odm".
@@ -246,11 +246,11 @@ lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 
 # %% [markdown] lang="en" name="moved-seen" tags=["predicted"]
 # One camera. A key that is set again gets a new value, so the camera moved, with all its children. No node was asked or notified.
-# If two nodes set it alternately, it moves back and forth, as you will see.
+# If two nodes set it alternately, it moves back and forth. The program in *On a real robot* reports each such change.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
 # 카메라는 한 대입니다. dict의 같은 키에 다시 쓰면 값이 바뀝니다. 카메라의 부모가 바뀌었고, 카메라 아래의 좌표계도 함께 따라갔습니다. 오류도 알림도 없었습니다.
-# 두 노드가 번갈아 발행하면 부모가 계속 바뀝니다. 잠시 뒤에 볼 것입니다.
+# 두 노드가 번갈아 발행하면 부모가 계속 바뀝니다. *실제 로봇에서* 절에 있는 프로그램은 부모가 바뀔 때마다 알려 줍니다.
 
 # %% name="typo" tags=["predicted"] slide="fragment"
 island = Buffer()
@@ -265,7 +265,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 
 # %% [markdown] lang="en" name="typo-seen" tags=["predicted"]
 # Yes, yes, no. Each part works by itself; only a lookup between the parts fails. The error names the two frames of the *lookup*, not the two frames between which the edge is missing.
-# It also says "Tf has two or more unconnected trees", so look at the roots.
+# It also contains "Tf has two or more unconnected trees", so look at the roots.
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
 # 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 두 트리에 걸친 조회만 실패합니다. 오류 메시지에는 *조회*의 두 이름이 나올 뿐, 연결이 끊긴 곳은 나오지 않습니다.
@@ -358,13 +358,13 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 # %% [markdown] lang="en" name="rules-notes" slide="notes"
 # In the panel, let the class give the orders: odom below the laser, below itself.
 # Before each lookup, hands: will it succeed?
-# The log line for the last one is the only rejection in this chapter.
+# The log line for the last one reports the only transform of this chapter that is rejected.
 
 # %% [markdown] lang="ko" name="rules-notes" slide="notes"
 # 패널은 청중이 시키는 대로 움직입니다. odom을 레이저 아래에, 자기 자신 아래에 매답니다.
 # 조회할 때마다 손을 들게 합니다.
 # 값이 나올까요?
-# 마지막 것의 로그 한 줄이 이번 시간에 나온 유일한 거절입니다.
+# 마지막 것에서 로그 한 줄이 나옵니다. 이 장에서 거절되는 변환은 이것뿐입니다.
 
 # %% [markdown] lang="en" name="names" slide="slide"
 # ## Names are strings
@@ -862,20 +862,20 @@ folder = lesson.fresh_folder()
 # %% [markdown] lang="en" name="core-end" slide="skip"
 # ## Enough to go on
 #
-# You can now find a path by hand, tell one tree from two or from a loop, and say why tf2 checks so little.
+# You can now find a path by hand, tell one tree from two or from a loop, and say what tf2 checks and which lookups fail.
 # Practise that in [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb). Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 # In the next chapter, [05 map, odom, base_link](05_map_odom_base_link.ipynb), "one parent each" decides which node may publish the robot's pose.
 #
-# The sections below are for the curious. Each heading says what it holds. Open one when you need it.
+# The sections below are for the curious and for practice. Each heading says what it holds. Open one when you need it.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
 #
-# 이제 경로를 손으로 찾고, 하나인 트리와 둘로 나뉜 트리, 고리를 구별하며, tf2가 왜 거의 확인하지 않는지 말할 수 있습니다.
-# 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)에서 손에 익혀 보세요. 과제 E4.2와 E4.6은 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 두 줄에 해당합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*
+# 이제 경로를 손으로 찾고, 하나인 트리와 둘로 나뉜 트리, 고리를 구별하며, tf2가 무엇을 확인하고 어떤 조회가 실패하는지 말할 수 있습니다.
+# 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)에서 손에 익혀 보세요. 과제 E4.2와 E4.6은 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 두 줄에 해당합니다. “view_frames로 트리 그림을 만들었습니다”와 “같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다”입니다.
 # 다음 장 [05 map, odom, base_link](05_map_odom_base_link.ipynb)에서는 “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
 #
-# 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
+# 아래는 더 알고 싶거나 더 연습하고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
 
 # %% [markdown] lang="en" name="plaster-heading" slide="subslide"
 # ## The quick workaround for a typo, and why it is no fix
@@ -884,10 +884,10 @@ folder = lesson.fresh_folder()
 # ## 오타를 덮는 임시방편, 왜 해결이 아닐까요?
 
 # %% [markdown] lang="en" name="plaster"
-# Forums suggest one more static edge, `odom → odm`, with all values zero. It works.
+# For the tree with the typo `odm`, forums suggest one more static edge, `odom → odm`, with all values zero. It works.
 
 # %% [markdown] lang="ko" name="plaster"
-# 인터넷에서는 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하라고들 합니다. 동작은 합니다.
+# 앞에서 본 오타 `odm`을 두고 인터넷 게시글에서는 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하라고들 합니다. 동작은 합니다.
 
 # %% name="plastered" tags=["collapsed"] slide="-"
 # Draw the path with the workaround.
@@ -927,7 +927,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # Define start_two(), which starts both robots.
 graph.stop()
 listener.unregister()
-tf_buffer = Buffer()  # one that has heard of no other robot
+tf_buffer = Buffer()  # a new one, without the frames of the first robot
 listener = TransformListener(tf_buffer, node, spin_thread=True)
 
 def start_two(shared, apart_s):
@@ -979,7 +979,7 @@ for apart_s in (0.03, 0.0):
 # 아무것도 튀지 않기 때문입니다.
 # 어떤 경보가 울릴지 묻습니다.
 # 없습니다.
-# 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. map이라는 답이 나오면 이 장은 끝입니다.
+# 두 로봇이 함께 쓰는 것은 무엇인지 묻습니다. 답은 map, 오직 map입니다.
 
 # %% name="between-robots" tags=["collapsed"] slide="-"
 # Draw the path.
