@@ -99,6 +99,7 @@ from tflab.workbook import lesson
 farther_off, larger_steps = ..., ...  # "odom" or "map"
 
 # %% name="the-drive" tags=["collapsed"] slide="skip"
+# Drive for a minute, and fill the buffer.
 import numpy as np
 
 robot = lesson.TeachingRobot(bias=0.01, correction_period_s=5.0)
@@ -117,6 +118,7 @@ def pose(frame, child, t):
     return buffer.lookup_transform(frame, child, seconds(t)).transform
 
 # %% name="three-pens" tags=["predicted", "collapsed"] slide="fragment"
+# Draw the three paths.
 times = [1.5 + 0.1 * k for k in range(600)]
 start = robot.truth_at(seconds(1.0))['base_footprint']  # where odom begins
 in_map = np.array([pose('map', 'base_footprint', t).translation for t in times])
@@ -127,7 +129,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="en" name="three-pens-seen" tags=["predicted"]
 # The upper plot shows the paths from above. The broad grey line is the true path. The plots below it show how far each sample is from the one before it, a tenth of a second earlier, and how far it is from the truth.
 #
-# - The pose in [[odom]] never takes a step that the robot did not drive, and after a minute it is three metres off. It **drifts**.
+# - The pose in [[odom]] never takes a step that the robot did not drive, and within the minute it is up to three metres off. It **drifts**.
 # - The pose in [[map]] is never more than a quarter of a metre off, and it jumps each time it is corrected. It **jumps**.
 #
 # Neither is wrong. [[rep-105]], the convention for these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
@@ -136,7 +138,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 위 그림은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로이고, x in map과 y in map은 `map` 기준 좌표입니다. 가운데(distance between two samples)는 0.1초 간격인 두 표본 사이의 거리, 아래(error: distance from the truth)는 실제 위치와의 거리입니다. time = 시각.
 #
-# - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
+# - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분 사이에 최대 3 m 넘게 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
 # - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 연속이지만 드리프트할 수 있고, map은 드리프트하지 않지만 튈 수 있습니다.
@@ -214,6 +216,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # In 3D, seen from the map: move the slider, and watch the frame `odom`. It stands still, and then jumps.
 # At 26 s `odom` moves by 0.12 m and rotates. The robot is a metre and a half away from its origin, and moves by 0.24 m.
+# (The still picture shows both from above. Grey is the pose before the correction.)
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 지도를 기준으로 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 살펴보세요. 가만히 있다가 갑자기 튑니다.
@@ -222,6 +225,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # *그림 읽기:* truth = 실제 경로, time = 시각. 위에서 본 그림에서는 회색이 바로잡기 전(grey: before)이고 뾰족한 쪽이 로봇의 앞입니다.
 
 # %% name="in-3d-scene" tags=["collapsed"] slide="skip"
+# Prepare the 3D view.
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(2.2, -4.0, 3.6), target=(2.2, -0.3, 0.0))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.7)
@@ -233,6 +237,7 @@ def at_time(t):
     lesson.draw_frame(scene, 'base_footprint', pose('map', 'base_footprint', t), parent='odom', length_m=0.5)
 
 # %% name="in-3d-sweep" tags=["interactive", "collapsed"]
+# Show the 3D view.
 scene.sweep('time', [20.0 + 0.5 * i for i in range(41)], at_time, unit='s')
 scene
 
@@ -253,6 +258,7 @@ lesson.draw_moves(jump, bodies=['base_footprint'])
 # 필요한 것은 둘 사이의 변환 `map_T_odom`입니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
 
 # %% name="dominoes" tags=["collapsed"] slide="-"
+# Draw the dominoes.
 lesson.draw_dominoes(('map', 'base'), ('base', 'odom'))
 
 # %% name="the-sum-in-code" slide="fragment"
@@ -333,14 +339,19 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 #
 # An obstacle is one metre ahead. You store its coordinates for a tenth of a second, once in `map` and once in `odom`. Meanwhile the correction comes.
 # You also store a goal for longer, by its coordinates in `odom`.
+#
+# **Predict:** how far off is each of the two obstacles after the correction? And the goal after 40 seconds?
 
 # %% [markdown] lang="ko" name="what-where" slide="slide"
 # ## 무엇을 어느 좌표계에 둘까요?
 #
 # 1 m 앞의 장애물을 0.1초 동안 기억합니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 기억합니다. 그사이 보정이 들어옵니다.
 # 목적지 하나는 `odom` 기준 숫자로 더 오래 기억합니다.
+#
+# **예측해 봅시다.** 보정이 들어온 뒤 두 장애물은 각각 얼마나 어긋날까요? 40초 뒤의 목적지는 얼마나 어긋날까요?
 
 # %% name="obstacle" tags=["predicted", "collapsed"] slide="fragment"
+# Keep an obstacle and a goal, and compare.
 there = robot.truth_at(seconds(26.1))['base_footprint'].inverse() @ robot.truth_at(seconds(26.0))['base_footprint']
 for keep in ('map', 'odom'):
     kept = pose(keep, 'base_footprint', 26.0).apply((1.0, 0.0, 0.0))
@@ -354,6 +365,8 @@ for later in (20.0, 50.0):
     print(f'goal kept in odom: after {later - 10:.0f} s it is {np.linalg.norm(np.subtract(back, goal)):.2f} m from where it was')
 
 # %% [markdown] lang="en" name="what-where-seen" tags=["predicted"]
+# The obstacle in `map` is off by 0.44 m, the one in `odom` not at all. The goal in `odom` is almost three metres off after 40 seconds.
+#
 # | keep in | what | because |
 # |---|---|---|
 # | `odom` | recent obstacles, the next half metre, speeds | it is smooth, and recent coordinates have not drifted |
@@ -363,6 +376,8 @@ for later in (20.0, 50.0):
 # If you avoid `odom` because it drifts, you lose the smooth pose. If you use `map` for everything, you get the jumps.
 
 # %% [markdown] lang="ko" name="what-where-seen" tags=["predicted"]
+# `map` 기준으로 기억한 장애물은 0.44 m 어긋나고, `odom` 기준으로 기억한 장애물은 어긋나지 않습니다. `odom` 기준으로 기억한 목적지는 40초 뒤 3 m 가까이 어긋납니다.
+#
 # | 두는 곳 | 무엇을 | 이유 |
 # |---|---|---|
 # | `odom` | 방금 본 것, 다음 0.5 m, 속도 | 끊김이 없고, 아직 드리프트가 쌓이지 않았습니다 |
@@ -387,13 +402,13 @@ for later in (20.0, 50.0):
 # ## base_footprint: the robot's projection onto the floor
 #
 # `base_link` is fixed to the body: it has height, and it tilts on a ramp. [[base_footprint]] is its projection onto the floor: x, y and yaw only.
-# The robot's front tilts up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
+# Our `base_link` is 0.10 m above the floor, and the robot's front tilts up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
 
 # %% [markdown] lang="ko" name="footprint" slide="slide"
 # ## base_footprint: 바닥에 투영한 로봇
 #
 # `base_link`는 몸체에 붙어 있어 높이가 있고, 경사로에서 기울어집니다. [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
-# 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에 있는 점을 보았습니다. 이 점은 바닥에서 얼마나 높을까요?
+# 우리 로봇의 `base_link`는 바닥에서 0.10 m 위에 있습니다. 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에 있는 점을 보았습니다. 이 점은 바닥에서 얼마나 높을까요?
 
 # %% name="nose-up"
 import math
@@ -403,6 +418,7 @@ point = footprint_T_base.apply((2.2, 0.0, 0.15))
 print('in base_footprint', lesson.fmt_all(point, digits=2))
 
 # %% name="nose-up-picture" tags=["collapsed"] slide="-"
+# Draw both points from the side.
 lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}, {'detected: 0.63 m up': point},
                   ghost_points={'if level: 0.25 m up': (2.2, 0.0, 0.25)},
                   fixed_frame='base_footprint', length_m=0.5, eye=lesson.FROM_THE_SIDE)
@@ -411,8 +427,8 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake a wall for a low step. The figure shows both from the side.
 # On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have it as a child of `base_link`. Check whether your robot publishes `odom → base_footprint` or `odom → base_link`, and never publish both.
 #
-# Not every robot needs a `base_footprint`: it pays where `base_link` is above the floor and can tilt.
-# Decide by three things: the frame that your navigation stack is set to (in Nav2 `robot_base_frame`, and `base_frame_id` of AMCL), the frames that your URDF has, and the contract that says which node publishes which edge.
+# Not every robot needs a `base_footprint`: it is useful where `base_link` is above the floor and can tilt.
+# Decide by three things: the frame that your navigation stack is set to (`robot_base_frame` in Nav2, the navigation of ROS 2, and `base_frame_id` in AMCL, its localiser), the frames that your URDF has, and the contract that says which node publishes which edge.
 # If a frame for the projection is already there, use it, and do not add a second frame for the same thing.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
@@ -422,7 +438,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 `odom → base_footprint`와 `odom → base_link` 가운데 어느 것을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
 #
 # 모든 로봇에 `base_footprint`가 필요한 것은 아닙니다. `base_link`가 바닥보다 높고 기울 수 있을 때 쓸모가 있습니다.
-# 세 가지를 보고 정합니다. 주행 패키지에 설정된 좌표계(Nav2의 `robot_base_frame`, AMCL의 `base_frame_id`), URDF에 있는 좌표계, 그리고 어느 노드가 어느 연결을 발행하는지 정한 약속입니다.
+# 세 가지를 보고 정합니다. 주행 패키지에 설정된 좌표계(ROS 2의 주행 패키지인 Nav2의 `robot_base_frame`, Nav2의 위치 추정 노드인 AMCL의 `base_frame_id`), URDF에 있는 좌표계, 그리고 어느 노드가 어느 연결을 발행하는지 정한 약속입니다.
 # 바닥에 투영한 좌표계가 이미 있으면 그것을 쓰고, 같은 것에 좌표계를 하나 더 만들지 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
@@ -440,6 +456,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 #
 # Now do what the program of the story did. The localiser stops publishing its edge, and another node publishes the robot's pose in `map`, ten times a second.
 # A listener looks up the robot a thousand times in ten seconds, in `map` and in `odom`.
+# The folded cells start the nodes. Their function `measured_pose(now)` returns the robot's pose in `map` as a message.
 #
 # **Predict:** how often do *both* lookups succeed? Always, half the time, never?
 
@@ -448,10 +465,12 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 #
 # 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 발행은 끄고, 다른 노드가 `map` 기준 로봇의 포즈를 1초에 열 번 발행합니다.
 # 또 다른 노드는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
+# 접힌 셀에서 노드들을 시작합니다. 거기서 정의한 `measured_pose(now)`는 `map` 기준 로봇의 포즈를 메시지로 반환합니다.
 #
 # **예측해 봅시다.** 두 조회가 *모두* 성공하는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
 
 # %% name="eager-robot" tags=["collapsed"] slide="skip"
+# Start the robot, and define measured_pose().
 from tflab.ros.convert import msg_from_stamped
 
 graph = lesson.new_graph()
@@ -485,6 +504,7 @@ class EagerLocalizer(Node):
 # %ros2 param set /localization tf_broadcast false
 
 # %% name="a-thousand-questions" tags=["predicted", "collapsed"]
+# Start the new node and a listener.
 def main():
     rclpy.init()
     rclpy.spin(EagerLocalizer())
