@@ -33,20 +33,20 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## Four cameras, and only one remains
+# ## Four cameras, until RViz is opened again
 #
 # A program calibrates the mounts of four cameras in a room, one after the other, and publishes each when it is done. RViz shows them all.
-# Then somebody closes RViz and opens it again: **one** camera is left (Ikerlan-KER/extrinsic_calibrator, 2025).
+# Then somebody closes RViz and opens it again: cameras are missing (Ikerlan-KER/extrinsic_calibrator, 2025).
 # Somebody sent a hundred frames in a loop and had the same problem, and the library was changed because of it (ros2/geometry2, 2023).
 #
 # Another driver did the opposite. It published its laser's mount about 110 times a second, so that RViz would not report it as old (ouster-ros, 2023).
 # The first published too little, the second too much. This chapter shows what is right.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 카메라 네 대, 그리고 남은 한 대
+# ## 카메라 네 대, 그리고 다시 연 RViz
 #
 # 어느 프로그램이 방에 고정한 카메라의 위치를 하나씩 구해, 구하는 대로 발행합니다. RViz에는 모두 보입니다.
-# 그런데 RViz를 닫았다가 다시 열면 카메라가 **한 대만** 남아 있습니다(Ikerlan-KER/extrinsic_calibrator, 2025년).
+# 그런데 RViz를 닫았다가 다시 열면 보이지 않는 카메라가 있습니다(Ikerlan-KER/extrinsic_calibrator, 2025년).
 #
 # 좌표계 100개를 반복문으로 보낸 사람도 같은 일을 겪었고, 그 때문에 라이브러리 자체가 바뀌었습니다(ros2/geometry2, 2023년).
 # 반대로 너무 자주 보낸 드라이버도 있습니다. RViz가 값이 오래되었다고 표시할까 봐, 고정된 레이저의 장착 변환을 1초에 110번쯤 보냈습니다(ouster-ros, 2023년).
@@ -56,12 +56,12 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask who has closed RViz and opened it again because something was missing.
 # Here that made it worse.
-# Collect guesses: where are the other three cameras stored?
+# Collect guesses: where are the missing cameras stored?
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 무언가 보이지 않아 RViz를 껐다 켜 본 사람이 있는지 묻습니다.
 # 여기서는 그래서 더 나빠졌습니다.
-# 나머지 카메라 세 대의 변환은 어디에 남아 있을까요?
+# 보이지 않는 카메라의 변환은 어디에 남아 있을까요?
 # 추측을 모읍니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
@@ -116,6 +116,7 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 # 다음은 이야기 속의 프로그램입니다. `placed`는 메시지에 부모, 자식, 위치, 회전을 채웁니다.
 
 # %% name="imports" tags=["collapsed"] slide="skip"
+# Import what this page needs.
 import math
 import time
 
@@ -151,6 +152,7 @@ def calibrator():
     rclpy.spin(node)
 
 # %% name="listen" tags=["collapsed"]
+# Define listen(), which creates a listener.
 def listen(name):
     node = Node(name)
     buffer = Buffer()
@@ -167,6 +169,7 @@ def listen(name):
 # (`graph`는 이 페이지 안에 있는 가상의 ROS 2 환경이고, `graph.run`은 가상 시간을 흐르게 합니다. `listen`은 수신기를 만듭니다.)
 
 # %% name="two-listeners" tags=["predicted", "collapsed"] slide="fragment"
+# Start both listeners and the program.
 graph = lesson.new_graph()
 rclpy.try_shutdown()
 rclpy.init()
@@ -178,12 +181,12 @@ print('early:', *early.all_frames_as_string().splitlines(), sep='\n')
 print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 
 # %% [markdown] lang="en" name="two-listeners-seen" tags=["predicted"]
-# `early` has four cameras, `late` has **one**. Not zero, because there is a board. Not four, because the board keeps only the last message.
+# `early` has four cameras, `late` has **one**, as RViz had in the story. Not zero, because there is a board. Not four, because the board keeps only the last message.
 #
 # The next figure shows the same. A circle is a message; it is filled if the listener received it. The strip shows what the board holds.
 
 # %% [markdown] lang="ko" name="two-listeners-seen" tags=["predicted"]
-# `early`는 카메라 네 대를, `late`는 **한 대**를 받았습니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
+# `early`는 카메라 네 대를, `late`는 **한 대**를 받았습니다. 이야기 속의 RViz도 한 대만 받았습니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
 #
 # *그림 읽기:* 동그라미는 메시지이고, 채워진 것은 수신기가 받은 것입니다. 띠는 게시판이고 stored는 거기에 붙어 있는 것입니다. join = 참가한 시각, listener knows = 수신기가 받은 것, time = 시각.
 
@@ -202,6 +205,7 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # 0이라고 한 사람도 4라고 한 사람도 이유를 확인합니다.
 
 # %% name="late-join" tags=["predicted", "collapsed"] slide="-"
+# Draw the messages and the board.
 letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
 one_by_one = lesson.Sender('calibrator', letters)
 lesson.draw_joins([one_by_one], join_s=3.0, until_s=6.0)
@@ -225,6 +229,7 @@ def all_in_one():
     rclpy.spin(node)
 
 # %% name="all-in-one-run" tags=["collapsed"] slide="-"
+# Run it, and let a listener join.
 graph.stop(calibrating)
 calibrating = graph.start(all_in_one, name='calibrator')
 later = listen('later')
@@ -255,7 +260,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # Nothing "in ROS" stores a static transform. The board is in the publisher's process and ends with it: `Publisher count: 0`.
 # A listener that received the message keeps it, for all times, even for 1000 s. A listener that joins later receives nothing.
 #
-# So a static publisher has to stay alive. That is why the node at the end of this page sends its one message and then calls `spin`, which keeps it alive. "Late listeners receive it" is true while the publisher lives.
+# So a static publisher has to stay alive. That is why the first file in *On a real robot* sends its one message and then calls `spin`, which keeps it alive. "Late listeners receive it" is true while the publisher lives.
 #
 # And this is what `newcomer` raises if you look up a camera:
 
@@ -263,7 +268,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # 정적 변환을 “ROS가” 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
 # 이미 받은 수신기에는 변환이 남아 있습니다. 1000초의 변환을 조회해도 값이 나옵니다. 나중에 참가한 수신기는 아무것도 받지 못합니다.
 #
-# 그래서 정적 변환의 발행자는 계속 실행되고 있어야 합니다. 이 페이지 끝에 있는 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. “나중에 참가한 구독자도 받는다”는 말은 발행자가 실행 중인 동안에만 맞습니다.
+# 그래서 정적 변환의 발행자는 계속 실행되고 있어야 합니다. *실제 로봇에서* 절의 첫 파일이 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. “나중에 참가한 구독자도 받는다”는 말은 발행자가 실행 중인 동안에만 맞습니다.
 #
 # 아무것도 받지 못한 `newcomer`에서 카메라의 변환을 조회하면 다음 오류가 납니다.
 
@@ -299,6 +304,7 @@ except TransformException as error:
 # **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 참가해 있습니다. 메시지를 받을까요?
 
 # %% name="a-volatile-driver" tags=["predicted", "collapsed"] slide="fragment"
+# Start a listener, then the driver.
 def driver():
     rclpy.init()
     node = Node('driver')
@@ -346,6 +352,7 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # 좌표계가 없다는 오류입니다.
 
 # %% name="come-later" tags=["interactive", "collapsed"] slide="subslide"
+# Show the panel.
 cameras = ('camera_1', 'camera_2', 'camera_3', 'camera_4')
 senders = (
     one_by_one._replace(ends_s=4.5),
@@ -423,6 +430,7 @@ class MovingRobotBroadcaster(Node):
         self.broadcaster.sendTransform(placed(self, 'odom', 'base_link', x, y, yaw=self.theta + self.heading))
 
 # %% name="drive-the-circle" tags=["collapsed"]
+# Start the robot and a listener, and draw the tree.
 def run(node_class):
     rclpy.init()
     rclpy.spin(node_class())
@@ -437,15 +445,18 @@ lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="radio-seen"
 # **S** is static, with a board and no rate; **D** is dynamic, with a rate and an age. On the right is the publisher: each edge has one owner.
+# The rate of 20 Hz is shown as 21.1, because the samples are divided by the time from the first to the last.
 #
 # And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, valid at all times.
 
 # %% [markdown] lang="ko" name="radio-seen"
 # *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행자. 연결마다 발행자는 하나입니다.
+# 20 Hz가 21.1 Hz로 나오는 것은 표본의 수를 첫 표본부터 마지막 표본까지의 시간으로 나누기 때문입니다.
 #
 # 다음은 수신기의 버퍼에 있는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간. 맨 아래는 요청 시각의 변환을 조회한 결과입니다.
 
 # %% name="radio-history" tags=["collapsed"] slide="subslide"
+# Draw the listener's buffer.
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
 
 # %% [markdown] lang="en" name="lift" slide="slide"
@@ -461,6 +472,7 @@ lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5)
 # (`BufferCore`는 수신기가 채우는 버퍼입니다. 여기서는 직접 채웁니다.)
 
 # %% name="lift-rises" tags=["collapsed"] slide="-"
+# Fill a buffer with the heights of the lift.
 def height_at(t):
     return StampedTransform('base_link', 'lift', seconds(t), Transform((0.0, 0.0, 0.25 * (t - 1.0))))
 
@@ -480,8 +492,8 @@ except TransformException as error:
     print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="lift-seen" tags=["predicted"]
-# For "the latest" you get 0.5 m, with the stamp 3 s. For 5 s you get an exception: `into the future`. tf2 does not know whether the lift stands still, or moves without publishing; and it never guesses.
-# A listener that joins late is worse off: it does not even know that there is a lift.
+# For "the latest" you get 0.5 m, with the stamp 3 s. For 5 s you get an exception: `into the future`. tf2 cannot distinguish a lift that stands still from one that moves without publishing, and it does not guess.
+# A listener that joins late has even less: it has no frame `lift` at all.
 #
 # What can move is published again and again, also while it stands still.
 
@@ -492,6 +504,7 @@ except TransformException as error:
 # 메시지가 없다는 것만으로는 아무것도 알 수 없습니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 발행해야 합니다.
 
 # %% name="lift-history" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the buffer.
 lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 
 # %% [markdown] lang="en" name="bolt" slide="slide"
@@ -511,6 +524,7 @@ lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 # **예측해 봅시다.** 카메라는 로봇 위에서 움직이지 않습니다. 조회한 값은 최악의 경우 몇 초 전의 것일까요? 카메라의 경로는 어떤 모양일까요?
 
 # %% name="three-nodes" tags=["collapsed"] slide="skip"
+# Define the node of the wheels.
 class Wheels(Node):
     def __init__(self):
         super().__init__('wheels')
@@ -535,6 +549,7 @@ class LaserMount(Node):
         StaticTransformBroadcaster(self).sendTransform(placed(self, 'base_link', 'laser_frame', 0.2))
 
 # %% name="start-the-mounts" tags=["collapsed"] slide="skip"
+# Start the three nodes and a listener.
 graph = lesson.new_graph()
 for node_class in (Wheels, CameraMount, LaserMount):
     graph.start(run, node_class, name=node_class.__name__.lower())
@@ -544,6 +559,7 @@ listener = listen('listener')
 graph.run(seconds=2.5)
 
 # %% name="hundred-questions" tags=["predicted", "collapsed"] slide="subslide"
+# Look up both sensors a hundred times.
 asked, age, where, refused = [], {'camera_link': [], 'laser_frame': []}, [], 0
 for _ in range(100):
     graph.run(seconds=0.03)
@@ -559,6 +575,7 @@ for frame, ages in age.items():
 print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refused:', refused, 'of 100')
 
 # %% name="draw-the-ages" tags=["predicted", "collapsed"] slide="-"
+# Draw the age of each answer.
 lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
 
 # %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
@@ -576,6 +593,7 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # 고정 부품을 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 연결을 지나는 *최신* 조회의 값은 최대 한 주기만큼 오래된 것이고, 조금 전의 시각을 조회하면 예외가 발생합니다. 1초에 110번 보내면 문제가 드러나지 않지만 그만큼 통신량이 듭니다. 게시판의 메시지 하나면 됩니다.
 
 # %% name="bolt-history" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the buffer.
 graph.run(seconds=0.6)
 lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1))
 
@@ -632,12 +650,12 @@ for t in (1.0, 3.0, 6.0):
 # ```python
 # mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
 # ____________(node).sendTransform(______)
-# self.create_timer(0.05, self.tell_the_pan_head)
+# self.create_timer(0.05, self.publish_pan_head)
 # ```
 #
 # <details><summary>Compare</summary>
 #
-# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is published by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is published by a `TransformBroadcaster` in `publish_pan_head`, also while it stands still.
 #
 # </details>
 
@@ -649,12 +667,12 @@ for t in (1.0, 3.0, 6.0):
 # ```python
 # mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
 # ____________(node).sendTransform(______)
-# self.create_timer(0.05, self.tell_the_pan_head)
+# self.create_timer(0.05, self.publish_pan_head)
 # ```
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `StaticTransformBroadcaster(node).sendTransform(mounts)`입니다. 리스트 전체를 한 번만 보냅니다. 팬 헤드는 `tell_the_pan_head` 안에서 `TransformBroadcaster`로 보내며, 멈춰 있는 동안에도 보냅니다.
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`입니다. 리스트 전체를 한 번만 보냅니다. 팬 헤드는 `publish_pan_head` 안에서 `TransformBroadcaster`로 보내며, 멈춰 있는 동안에도 보냅니다.
 #
 # </details>
 
@@ -671,6 +689,7 @@ for t in (1.0, 3.0, 6.0):
 # 5초의 로봇 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
 
 # %% name="drive-it" tags=["collapsed"] slide="skip"
+# Define drive(), which runs a node for five seconds.
 def drive(node_class):
     graph = lesson.new_graph()
     graph.start(run, node_class)
@@ -690,6 +709,7 @@ step = then.inverse().apply(later.translation)
 print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
 # %% name="crab-from-above" tags=["predicted", "collapsed"] slide="-"
+# Draw both poses from above.
 lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, length_m=0.15, before='at 4 s')
 
 # %% [markdown] lang="en" name="crab-seen" tags=["predicted"]
@@ -738,6 +758,7 @@ step = then.inverse().apply(later.translation)
 print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
 # %% name="crab-scene" tags=["interactive", "collapsed"]
+# Show the 3D view.
 scene = lesson.Scene(height_px=340)
 scene.look(eye=(0.3, -2.5, 1.9), target=(0.1, -0.4, 0.0))
 lesson.draw_path(scene, 'circle', circle, colour='#9AA0A6')
@@ -845,11 +866,11 @@ lesson.draw_moves({'base_link': (then, later)}, 'odom', ['base_link'], circle, l
 # ```
 # ros2 topic info /tf_static --verbose      # 게시판이 있는 발행자와 지속성
 # ros2 topic echo /tf_static                # 모든 게시판, Ctrl-C로 끝내기
-# ros2 topic hz /tf                         # 20인지?
+# ros2 topic hz /tf                         # 20이 나오는지 확인
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# 체크리스트에서 이 장은 **C3**(명령줄과 파이썬으로 발행한 정적 변환)과 **C4**(파이썬으로 발행한 동적 변환)입니다. 여기서는 시뮬레이션으로 했으니 로봇에서도 한 번 해 보세요.
+# 실습 체크리스트에서 이 장은 **C3**(명령줄과 파이썬으로 발행한 정적 변환)과 **C4**(파이썬으로 발행한 동적 변환)입니다. 여기서는 시뮬레이션으로 했으니 로봇에서도 한 번 해 보세요.
 #
 # 첫 명령의 출력입니다. 게시판이 없는 발행자와 있는 발행자가 하나씩 있습니다. 둘의 `Durability`를 비교해 보세요.
 
@@ -1012,7 +1033,7 @@ graph.start(driver, name='driver')
 #     main()
 # ```
 #
-# With ROS 2, start each with `python3`. Without ROS, start both in a terminal of this workbook, and look up the laser in `odom`:
+# With ROS 2, start each with `python3`. Without ROS, start both in a terminal of JupyterLab, and look up the laser in `odom`:
 #
 # ```
 # tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py --with "ros2 run tf2_ros tf2_echo odom laser_frame"
@@ -1020,7 +1041,7 @@ graph.start(driver, name='driver')
 #
 # Ctrl-C stops them. Do not start the second one on a robot whose odometry is running: both would publish `odom → base_link`.
 #
-# Stamp a dynamic transform with the time of its *measurement*. If you stamp it with the time at which a callback ran, you hide every delay before the callback.
+# Stamp a dynamic transform with the time of its *measurement*. This robot's pose is calculated in the callback, so `now()` is right here. If you stamp a sensor's measurement with the time at which a callback ran, you hide every delay before the callback.
 
 # %% [markdown] lang="ko" name="dynamic-node" slide="skip"
 # 둘째 파일을 `moving_robot_broadcaster.py`로 저장해 보세요. 1초에 스무 번 포즈를 발행하며 앞으로 달립니다.
@@ -1073,7 +1094,7 @@ graph.start(driver, name='driver')
 #     main()
 # ```
 #
-# ROS 2가 있으면 `python3`로 하나씩 실행합니다. ROS가 없으면 이 워크북의 터미널에서 둘을 함께 실행하고 `odom` 기준의 레이저를 조회합니다.
+# ROS 2가 있으면 `python3`로 하나씩 실행합니다. ROS가 없으면 JupyterLab의 터미널에서 둘을 함께 실행하고 `odom` 기준의 레이저를 조회합니다.
 #
 # ```
 # tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py --with "ros2 run tf2_ros tf2_echo odom laser_frame"
@@ -1081,7 +1102,7 @@ graph.start(driver, name='driver')
 #
 # Ctrl-C로 끝냅니다. 오도메트리 노드가 실행 중인 로봇에서는 둘째 파일을 실행하지 마십시오. 둘 다 `odom → base_link`를 발행하게 됩니다.
 #
-# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
+# 동적 변환에는 *측정한* 시각을 적습니다. 이 로봇의 포즈는 콜백 안에서 계산하므로 `now()`가 맞습니다. 센서로 잰 값에 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
 
 # %% [markdown] lang="en" name="lecture-form" slide="skip"
 # **The lecture's form.** Both files of the lecture end in this way:
@@ -1229,6 +1250,7 @@ graph.start(driver, name='driver')
 # 0.2 m 앞에 30° 회전시켜 장착한 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
 
 # %% name="command-again" tags=["collapsed"] slide="skip"
+# Publish the laser's mount again.
 graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --frame-id base_link --child-frame-id laser_frame
 
