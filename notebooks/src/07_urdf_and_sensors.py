@@ -42,7 +42,7 @@ from tflab.workbook import lesson
 # Nothing happens. They ask for help. Two years later the question is closed, unanswered (cartographer_ros #1017).
 # The line was in the `<visual>`, which only describes how a part looks. And the shape was a cylinder, rotated about its own axis: not even the picture could change.
 #
-# Another robot published its yaw rate with the wrong sign *on every run it had ever done*. Its wheels reported left, its gyro reported right. The wheels were blamed, twice (fusioncore #88).
+# Another robot published its yaw rate with the wrong sign *on every run it had ever done*. Its wheels reported left, its gyro (the sensor of the rotation rate) reported right. The wheels were blamed, twice (fusioncore #88).
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 아무것도 회전시키지 못한 한 줄
@@ -52,7 +52,7 @@ from tflab.workbook import lesson
 #
 # 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 회전시켰으니, 그림조차 달라질 수 없었습니다.
 #
-# 또 다른 로봇은 *그때까지의 모든 주행에서* 회전을 반대 부호로 발행했습니다. 오도메트리는 왼쪽 회전을, 자이로는 오른쪽 회전을 보고했습니다. 사람들은 두 번이나 오도메트리를 의심했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
+# 또 다른 로봇은 *그때까지의 모든 주행에서* 회전을 반대 부호로 발행했습니다. 오도메트리는 왼쪽 회전을, 자이로(회전 속도를 재는 센서)는 오른쪽 회전을 보고했습니다. 사람들은 두 번이나 오도메트리를 의심했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted clockwise, like a compass; an IMU mounted upside down has the same effect.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
@@ -66,7 +66,7 @@ from tflab.workbook import lesson
 # 1. Our robot's laser is really rotated to the left by 90°, and that line is in its `<visual>`. **How far off** are the walls on the map: centimetres, or metres?
 # 2. `robot_state_publisher` runs, and no node publishes joint positions. **Which frames are missing?** None, all, or some?
 # 3. A laser looks down by 3° in a room of 10 m. **What does the map show?**
-# 4. An IMU is mounted upside down, and the robot turns **left**. What is the sign of z of its gyro (the sensor of the rotation rate)?
+# 4. An IMU is mounted upside down, and the robot turns **left**. What is the sign of z of its gyro?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -230,7 +230,7 @@ noses = {'nose, 0.48 m lower': head.apply(nose), 'nose, not lower': aside.apply(
 lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='body', length_m=0.6)
 
 # %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
-# It nods. The head faces the left of the body, and its nose goes down there to z = −0.479. (The misread head is drawn beside it.) If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
+# It nods. The head faces the left of the body, and its nose goes down there to z = −0.479. (The misread head is drawn beside it.) If you read the axis in the parent's axes, the head rolls, and its nose stays where it was.
 #
 # A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` rotates the axes, and then `axis="0 0 1"` points sideways.
 #
@@ -247,7 +247,7 @@ lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='bo
 # %% [markdown] lang="en" name="chain" slide="slide"
 # ## A chain of joints
 #
-# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one transform, and the pose of the tip is their product. (This is called [[forward kinematics]].) Move a slider: which transforms change?
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one transform, and the pose of the tip is their product. (This is called [[forward kinematics]].) The figure draws each transform as a domino, with a ring if the joint moves. Below is the URDF of the joint with the thick border. Move a slider: which transforms change?
 
 # %% [markdown] lang="ko" name="chain" slide="slide"
 # ## 사슬: 경첩이 달린 도미노
@@ -394,10 +394,10 @@ except TransformException as error:
     print(type(error).__name__, error, sep='\n')
 
 # %% [markdown] lang="en" name="play-driver" slide="subslide"
-# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** after which of the four is the arm complete, and which of the four cause a warning?
+# Now you are the joint driver, four times: with other joint names, with the stamp zero, with velocities but no positions, and as it should be. The first three are mistakes that real drivers make. **Predict:** after which of the four is the arm complete, and which of the four cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
-# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 연결하지 못할 때 이유를 알려 주는 것은 어느 것일까요?
+# 이번에는 관절 드라이버가 되어 봅시다. 메시지를 네 번 보냅니다. 이름이 다른 것, 시각이 0인 것, 위치 없이 속도만 있는 것, 제대로 된 것입니다. 앞의 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 연결하지 못할 때 이유를 알려 주는 것은 어느 것일까요?
 
 # %% name="driver" slide="skip"
 states = node.create_publisher(JointState, 'joint_states', 10)
@@ -547,7 +547,7 @@ bend = lesson.Drive(legs=[lesson.Leg(2.0), lesson.Leg(6.0, 0.5, 0.5)])
 back = Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.05))
 imu = lesson.TeachingRobot(bend, screws={'imu_link': back}).imu
 rest, turning = imu.reading_at(seconds(2.0)), imu.reading_at(seconds(6.0))
-turn = Transform(rotation=back.rotation)  # base_T_imu: a vector is turned, not moved
+turn = Transform(rotation=back.rotation)  # base_T_imu: a vector is rotated, not translated
 for name, reading in {'at rest': rest, 'in the bend': turning}.items():
     print(f'{name:<12} acceleration in imu_link  {lesson.fmt_all(reading.linear_acceleration, "m/s²", 2)}')
     gyro = reading.angular_velocity
@@ -597,12 +597,12 @@ lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, f
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: faulty URDF files
 #
-# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the parser reports.
+# Four changes to the file: parent and child are swapped, a link's name has a typo, an expression of xacro (a program that generates URDF files) is left in, and an angle is in degrees. Each of them happens when a file is written by hand. **Predict** which of them the parser reports.
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 일부러 고장 내기: 로봇이 아닌 URDF
+# ## 일부러 고장 내기: 실수가 있는 URDF
 #
-# 파일에 실수 네 가지를 하나씩 넣습니다. 손으로 쓰다 보면 생기는 실수입니다. 파일을 읽는 프로그램이 찾아내는 실수는 어느 것일지 **예측해 봅시다.**
+# 파일에 실수 네 가지를 하나씩 넣습니다. 부모와 자식을 바꾼 것, 링크 이름의 오타, 펼치지 않은 xacro 식(xacro는 URDF를 만들어 내는 프로그램입니다), 도(degree)로 적은 각도입니다. 손으로 쓰다 보면 생기는 실수입니다. 파일을 읽는 프로그램이 찾아내는 실수는 어느 것일지 **예측해 봅시다.**
 
 # %% name="broken-files" tags=["predicted"] slide="fragment"
 ends = '<parent link="base_link"/>\n    <child link="laser_frame"/>'
@@ -626,7 +626,7 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
 #
-# 넷 가운데 셋은 줄 번호와 함께 알려 줍니다. 부모가 둘인 링크, 없는 링크를 쓴 조인트, 숫자 자리에 남은 xacro 식입니다. (우리 프로그램은 실제 프로그램보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
+# 넷 가운데 셋은 줄 번호와 함께 알려 줍니다. 부모가 둘인 링크, 없는 링크를 쓴 관절, 숫자 자리에 남은 xacro 식입니다. (이 워크북의 프로그램은 ROS 2의 프로그램보다 자세히 알려 줍니다. ROS 2의 프로그램도 이런 파일에서는 멈춥니다.)
 # **도**(degree)는 문제없다고 나옵니다. 숫자 90 역시 올바른 값이기 때문입니다. 여러분이 무슨 단위로 쟀는지는 파일에 나타나지 않습니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -802,10 +802,10 @@ for what, text in broken.items():
 # ## tcp의 위치 구하기: 표시에 대 보기
 
 # %% [markdown] lang="en" name="touch" slide="-"
-# Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`. The arm stands as in the figure above.
+# Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`. The arm stands as in the figure of *A chain of joints*.
 
 # %% [markdown] lang="ko" name="touch" slide="-"
-# 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다. 팔의 자세는 앞의 그림과 같습니다.
+# 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다. 팔의 자세는 *사슬: 경첩이 달린 도미노*의 그림과 같습니다.
 
 # %% name="touch-it" slide="-"
 arm = lesson.link_poses(lesson.parse_urdf(URDF), {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4})
@@ -844,10 +844,10 @@ for name, rpy in mounts.items():
 # 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²의 가속도가 생깁니다. 이 둘째 벡터로 나머지가 정해집니다. 실제 로봇은 손으로 왼쪽으로 회전시켜 봅니다. `angular_velocity.z`가 양수여야 합니다.
 
 # %% [markdown] lang="en" name="gravity-notes" slide="notes"
-# Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
+# Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed.
 
 # %% [markdown] lang="ko" name="gravity-notes" slide="notes"
-# 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
+# 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다.
 
 # %% [markdown] lang="en" name="deeper-heading" slide="skip"
 # ## What `robot_state_publisher` does with other joints
