@@ -304,7 +304,6 @@ except TransformException as error:
 # **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 참가해 있습니다. 메시지를 받을까요?
 
 # %% name="a-volatile-driver" tags=["predicted", "collapsed"] slide="fragment"
-# Start a listener, then the driver.
 def driver():
     rclpy.init()
     node = Node('driver')
@@ -758,7 +757,6 @@ step = then.inverse().apply(later.translation)
 print('a second later, in base_link of 4 s:', lesson.fmt_all(step))
 
 # %% name="crab-scene" tags=["interactive", "collapsed"]
-# Show the 3D view.
 scene = lesson.Scene(height_px=340)
 scene.look(eye=(0.3, -2.5, 1.9), target=(0.1, -0.4, 0.0))
 lesson.draw_path(scene, 'circle', circle, colour='#9AA0A6')
