@@ -130,7 +130,7 @@ print(way_up("camera_optical_frame"))
 # %% [markdown] lang="en" name="up-and-down" slide="slide"
 # ## Up, then down
 #
-# Both paths end at `map`. From their first common frame on, they are the same, and those edges cancel. So a lookup needs only the edges up from the source to that frame, and down from it to the target.
+# Both printed paths end at `map`. From their first common frame on, they are the same, and those edges cancel. So a lookup needs only the edges up from the source to that frame, and down from it to the target.
 #
 # The folded cell fills a `Buffer` with these edges, without any node. Its function `send(buffer, parent, child, x)` stores one static edge, which is valid at all times. By default the edge is one metre long, along x.
 
@@ -732,7 +732,7 @@ folder = lesson.fresh_folder()
 #     main()
 # ```
 #
-# Run it on a robot with `python3 tree_watcher.py`. Without ROS, type this into a terminal of JupyterLab, to see it report two parents:
+# Run it on a robot with `python3 tree_watcher.py`. Without ROS, type this into a terminal of JupyterLab, to see it report that the parent of `base_link` changes:
 #
 # ```
 # tflab run tree_watcher.py --for 5 \
@@ -801,7 +801,7 @@ folder = lesson.fresh_folder()
 #     main()
 # ```
 #
-# 로봇에서는 `python3 tree_watcher.py`로 실행합니다. ROS가 없으면 JupyterLab의 터미널에 다음을 입력해 보세요. 부모가 둘이라고 알립니다.
+# 로봇에서는 `python3 tree_watcher.py`로 실행합니다. ROS가 없으면 JupyterLab의 터미널에 다음을 입력해 보세요. `base_link`의 부모가 바뀌었다고 알립니다.
 #
 # ```
 # tflab run tree_watcher.py --for 5 \

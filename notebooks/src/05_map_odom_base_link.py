@@ -40,7 +40,7 @@ from tflab.workbook import lesson
 # The wheel odometry has always published: *base_link is there in odom*.
 # In a video of the author, the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
 #
-# Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided, until the next one came.
+# Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided which parent it had, until the next one came.
 # The author was not the first. Others had proposed the same for two widely used packages (2014, 2021). Both packages publish `map → odom` instead.
 # The fix is the one edge of this chapter, `map → odom`.
 

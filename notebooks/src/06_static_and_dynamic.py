@@ -298,7 +298,7 @@ except TransformException as error:
 # %% [markdown] lang="ko" name="volatile" slide="slide"
 # ## 일부러 고장 내기: 게시판 없는 발행자
 #
-# 어느 드라이버가 장착 변환을 `/tf_static`에 평범한 퍼블리셔로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
+# 어느 드라이버가 장착 변환을 `/tf_static`에 보통의 발행기로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
 # 지속성은 기본값인 VOLATILE이라 게시판이 없습니다. 그런데 tf2의 수신기는 게시판을 요구합니다.
 #
 # **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 참가해 있습니다. 메시지를 받을까요?
@@ -1216,7 +1216,7 @@ graph.start(driver, name='driver')
 # ## 반복문에서 sendTransform을 호출하면
 
 # %% [markdown] lang="en" name="in-a-loop" slide="-"
-# The result depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
+# The result depends on the release: newer broadcasters put all that they sent before into each message. One broadcaster sends `camera_1`, `camera_2` … one at a time:
 #
 # | ROS 2, Python | a late listener receives | a child that is sent again |
 # |---|---|---|
@@ -1227,7 +1227,7 @@ graph.start(driver, name='driver')
 # One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)`, create a new broadcaster, and send all its mounts again.
 
 # %% [markdown] lang="ko" name="in-a-loop" slide="-"
-# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
+# 배포판에 따라 다릅니다. 새 배포판의 발행기는 메시지마다 앞서 보낸 변환까지 모두 담습니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
 #
 # | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
 # |---|---|---|
