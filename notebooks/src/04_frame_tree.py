@@ -1039,7 +1039,7 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="ko" name="from-before"
-# 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
+# 1. 측정값에 꼭 필요한 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
 # 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 발행된 그대로인 것은 무엇이고 역변환인 것은 무엇입니까?
 # 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
 #

@@ -129,7 +129,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="en" name="three-pens-seen" tags=["predicted"]
 # The upper plot shows the paths from above. The broad grey line is the true path. The plots below it show how far each sample is from the one before it, a tenth of a second earlier, and how far it is from the truth.
 #
-# - The pose in [[odom]] never takes a step that the robot did not drive, and within the minute it is up to three metres off. It **drifts**.
+# - The pose in [[odom]] never takes a step that the robot did not drive, and within the minute it is more than three metres off. It **drifts**.
 # - The pose in [[map]] is never more than a quarter of a metre off, and it jumps each time it is corrected. It **jumps**.
 #
 # Neither is wrong. [[rep-105]], the convention for these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
@@ -138,7 +138,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 위 그림은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로이고, x in map과 y in map은 `map` 기준 좌표입니다. 가운데(distance between two samples)는 0.1초 간격인 두 표본 사이의 거리, 아래(error: distance from the truth)는 실제 위치와의 거리입니다. time = 시각.
 #
-# - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분 사이에 최대 3 m 넘게 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
+# - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분 사이에 3 m 넘게 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
 # - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 연속이지만 드리프트할 수 있고, map은 드리프트하지 않지만 튈 수 있습니다.

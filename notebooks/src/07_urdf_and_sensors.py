@@ -247,7 +247,7 @@ lesson.draw_scene({'head': head, 'head, misread': aside}, noses, fixed_frame='bo
 # %% [markdown] lang="en" name="chain" slide="slide"
 # ## A chain of joints
 #
-# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one transform, and the pose of the tip is their product. (This is called [[forward kinematics]].) The figure draws each transform as a domino, with a ring if the joint moves. Below is the URDF of the joint with the thick border. Move a slider: which transforms change?
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one transform, and the pose of the tip is their product. (This is called [[forward kinematics]].) The figure draws each transform as a domino, with a ring if the joint moves. At the bottom is the URDF of the joint with the thick border. Move a slider: which transforms change?
 
 # %% [markdown] lang="ko" name="chain" slide="slide"
 # ## 사슬: 경첩이 달린 도미노
