@@ -258,7 +258,7 @@ lesson.show_progress()
 # | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 30 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb), 60 |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 25 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb), 60 |
 # | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 35 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb), 70 |
-# | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 45 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb), 60 |
+# | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 35 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb), 60 |
 # | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 45 | 1, 3, 4, 5, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb), 60 |
 # | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 35 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb), 45 |
 # | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 30 | 6, 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb), 60 |
@@ -277,7 +277,7 @@ lesson.show_progress()
 # | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 30 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb), 60 |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 25 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb), 60 |
 # | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 어느 노드가 변환을 발행하고, 얼마나 자주 발행할까요? | 35 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb), 70 |
-# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 45 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb), 60 |
+# | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 35 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb), 60 |
 # | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 45 | 1, 3, 4, 5, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb), 60 |
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 조회가 실패할까요? 기다리면 될까요? | 35 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb), 45 |
 # | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 30 | 6, 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb), 60 |

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 07 · URDF and sensors
 #
-# **The description and the real mount** · about 45 minutes · builds on 02 and 06
+# **The description and the real mount** · about 35 minutes · builds on 02 and 06
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 07 · URDF와 센서
 #
-# **도면과 실제 장착** · 약 45분 · 02, 06장을 바탕으로 합니다
+# **도면과 실제 장착** · 약 35분 · 02, 06장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
