@@ -501,7 +501,7 @@ lesson.draw_history(small.core, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="ko" name="past-the-end-read"
 # 예를 들어 4.4초에 `odom → base_link`에는 값이 있지만 `map → odom`에는 값이 없으므로, 조회가 실패합니다.
-# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절은 09장에서 자세히 다룹니다.
+# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 예외를 일으킵니다. 예외는 09장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
 # Drag slowly across 4.00 s and let the class see the handle change into a cross.
@@ -699,7 +699,7 @@ for name, detection in (("overwritten", late), ("as measured", measured)):
 #
 # <details><summary>B. 조회하기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
 #
-# 더 나중의 시각을 조회하게 되어 거절이 늘고, 성공해도 지연 전체만큼 틀립니다. 게다가 그 메시지를 나중에 읽는 노드는 모두 틀린 시각을 쓰게 됩니다.
+# 더 나중의 시각을 조회하게 되어 예외가 늘고, 성공해도 지연 전체만큼 틀립니다. 게다가 그 메시지를 나중에 읽는 노드는 모두 틀린 시각을 쓰게 됩니다.
 #
 # </details>
 #
@@ -956,7 +956,7 @@ node.stop()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥은 거절합니다.
+# - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥의 시각에는 예외를 일으킵니다.
 # - `Time()`은 최신 공통 시각입니다. 동적 연결마다 마지막 표본의 시각이 있고, 그 가운데 가장 이른 것입니다. 현재 시각이 아닙니다.
 # - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
 # - 요청 시각이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
@@ -1215,7 +1215,7 @@ print(refusals[0])
 # ## 빠뜨린 import: 잡히지 않는 예외
 
 # %% [markdown] lang="en" name="break-type" slide="-"
-# How does `transform()` know what to do with a `PointStamped`?
+# Where does `transform()` find the conversion of a `PointStamped`?
 # Importing `tf2_geometry_msgs` registers the conversion. The import looks unused, so one day a tidy colleague deletes it.
 #
 # This page imported the conversions for points but not those for point clouds, `tf2_sensor_msgs`:
@@ -1237,7 +1237,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="forgotten-import-read"
 # `except TransformException` did not catch it, because `TypeException` is **not** a `TransformException`.
 # TF is not the cause. No transform was looked up, because the conversion of this type is not registered.
-# Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
+# Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Give the reason in a comment beside it.
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # 예외가 `except TransformException`에 잡히지 않았습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.

@@ -35,26 +35,28 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message arrives or a timer fires. An *executor* calls them. `rclpy.spin(node)` uses an executor with one thread, which runs one callback at a time.
+# - **A node (08).** A node has *callbacks*: functions that run when a message arrives or a timer fires. An *executor* calls them. `rclpy.spin(node)` uses an executor with one thread, which runs one callback at a time.
 #
-# <details><summary>What the page uses of 04, 05 and 06, if you have forgotten it</summary>
+# <details><summary>What the page uses of 04, 05, 06 and 08, if you have forgotten it</summary>
 #
 # - **The tree (04).** A frame without a parent is a root. Two frames are connected if the paths up from both end at the same root.
 # - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheel odometry `odom → base_footprint`.
 # - **Static and dynamic (06).** A mount is sent once on `/tf_static` and is valid at all times. What moves is sent repeatedly on `/tf`, with a stamp.
+# - **The buffer (08).** It has a timeline for each edge. `Time()` means their latest common time.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기를 쓰므로 콜백을 한 번에 하나만 실행합니다.
+# - **노드(08).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기를 쓰므로 콜백을 한 번에 하나만 실행합니다.
 #
-# <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
+# <details><summary>04, 05, 06, 08장에서 쓰는 것(오래전에 보았다면)</summary>
 #
 # - **트리(04).** 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 트리(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리 노드가 발행합니다.
 # - **정적과 동적(06).** 나사로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
+# - **버퍼(08).** 연결마다 시간줄이 하나씩 있습니다. `Time()`은 시간줄들의 최신 공통 시각을 뜻합니다.
 #
 # </details>
 
@@ -157,7 +159,7 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
 # At 12.3 s there is an answer, although no sample has exactly this time: tf2 interpolates.
 #
-# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow shows the direction of the data.)
+# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame.)
 # You look up the transform `map ← laser_frame` **at 14.3 s**, and then **at 10.6 s**.
 # For each: an answer or an exception? Which exception? Because of which edge?
 #
@@ -225,7 +227,7 @@ for second in (12.3, 14.3, 10.6):
 # | a lookup needs | otherwise tf2 raises | look first at |
 # | --- | --- | --- |
 # | valid arguments: no empty name, no `/` at the beginning | [[invalid argument exception|InvalidArgumentException]] | the line of the lookup, `header.frame_id` |
-# | two **names** that this buffer knows | [[lookup exception|LookupException]] | spelling; is its publisher running? |
+# | two **names** in this buffer | [[lookup exception|LookupException]] | spelling; is its publisher running? |
 # | a **path**: both names in one tree | [[connectivity exception|ConnectivityException]] | `view_frames`: two roots |
 # | data for that **time** on every edge of the path | [[extrapolation exception|ExtrapolationException]] | stamps and clocks |
 #
@@ -748,7 +750,7 @@ lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="called-read" slide="-"
 # 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. The last two are still waiting.
-# And look at the callback: it is never busy.
+# The callback is never busy.
 
 # %% [markdown] lang="ko" name="called-read" slide="-"
 # 30개 가운데 27개입니다. 첫 스캔의 변환은 올 수 없으므로, 퓨처가 셋을 넘자 가장 오래된 그것을 취소했습니다. 마지막 둘은 아직 기다리는 중입니다.
@@ -1543,7 +1545,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # <details><summary>Ideas of a full answer</summary>
 #
-# - Lookup: the buffer does not know a *name* (typo, publisher not running, nothing received *yet*).
+# - Lookup: a *name* is not in the buffer (typo, publisher not running, nothing received *yet*).
 # - Connectivity: both names are known, but there is no *path*: the tree is in pieces, two roots.
 # - Extrapolation: there is a path, but an edge on it has no data at that *time*, and tf2 does not guess.
 # - Each needs another first check: the name; the tree; stamps and clocks.
