@@ -77,7 +77,7 @@ from tflab.workbook import lesson
 # A robot weaves through a room at half a metre per second.
 # Its camera looks for one ball. The detector takes 0.2 s to find it in an image.
 #
-# The next cell starts the robot. Its code is folded away, because it only sets the scene.
+# The next cell starts the robot. Its code is folded away.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 20센티미터
@@ -174,7 +174,7 @@ drive = [robot.truth_at(seconds(0.1 * i))["base_link"].translation for i in rang
 lesson.draw_detections(finder.balls, lesson.BALL, path=drive, how="transformed with Time()")
 
 # %% [markdown] lang="en" name="many-balls" tags=["predicted"] slide="subslide"
-# Above you see the robot's path in `map`, and where it ended. The rectangle around the ball is enlarged below. The ring is the ball's true position. The dots are the detections.
+# The upper part shows the robot's path in `map`, and where it ended. The lower part enlarges the rectangle around the ball. The ring is the ball's true position. The dots are the detections.
 #
 # Not one dot is in the ring.
 # You would count four or five balls on the map. They form two groups, one on either side of the real ball. They are off by 0.20 m on average and by 0.28 m at worst.
@@ -184,7 +184,7 @@ lesson.draw_detections(finder.balls, lesson.BALL, path=drive, how="transformed w
 # The lookup was wrong: it returned the camera's *newest* pose, for an image that was taken *earlier*.
 
 # %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
-# 위는 `map` 기준으로 그린 로봇의 경로와 마지막 위치입니다. 공을 둘러싼 네모를 아래에 확대했습니다. 고리가 공의 실제 위치이고, 점은 지도에 찍힌 공의 위치입니다.
+# 그림의 위쪽은 `map` 기준으로 그린 로봇의 경로와 마지막 위치입니다. 아래쪽은 공을 둘러싼 네모를 확대한 것입니다. 고리가 공의 실제 위치이고, 점은 지도에 찍힌 공의 위치입니다.
 # *그림 읽기:* the robot's path = 로봇의 경로, ball (true position) = 공(실제 위치), detections, transformed with Time() = `Time()`으로 변환한 관측, x (y) in map = `map` 기준 x(y), off by … on average / at worst = 평균 / 최대 … 빗나감.
 #
 # 고리 안에 든 점은 하나도 없습니다.
@@ -287,9 +287,9 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # **In a sentence:** look up where the sensor was at the time of the measurement, not where it is when the computation has finished.
 #
-# **In numbers:** the cell above.
+# **In numbers:** 0.2 m straight ahead, 0.54 m in a turn.
 #
-# **In 3D:** below. The solid axes are the robot at the stamp, the dashed ones are the robot now.
+# **In 3D:** below. The solid lines are the robot at the stamp, the dashed lines are the robot now.
 # Drag the delay, and watch the error grow.
 
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
@@ -297,9 +297,9 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # **한 문장으로:** 계산이 끝난 지금 센서가 어디 있는지가 아니라, 빛이 들어온 그때 센서가 어디 있었는지를 조회합니다.
 #
-# **숫자로:** 바로 위의 셀입니다.
+# **숫자로:** 곧게 갈 때 0.2 m, 회전할 때 0.54 m입니다.
 #
-# **3D로:** 아래입니다. 실선 축은 측정 시각의 로봇, 파선 축은 지금의 로봇입니다.
+# **3D로:** 아래입니다. 실선은 측정 시각의 로봇, 파선은 지금의 로봇입니다.
 # delay 슬라이더를 끌면서 공이 어떻게 어긋나는지 살펴보세요.
 # *그림 읽기:* robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, object = 물체, from above = 위에서 본 모습, in 3D = 3D로, error = 오차, enlarged = 확대한 것, exactly = 정확한 값, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 포즈로 그린 것.
 
@@ -358,8 +358,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # %% [markdown] lang="en" name="the-lanes" slide="slide"
 # ## What the buffer remembers
 #
-# You can look up a past pose only if it was stored.
-# That is the purpose of the buffer.
+# You can look up a past pose only if the buffer stored it.
 #
 # Each edge of the tree has a timeline of its own.
 # A timeline holds the [[sample|samples]] that were received, each at its stamp, for the last few seconds.
@@ -374,7 +373,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # 과거의 포즈는 저장되어 있어야 조회할 수 있습니다.
 # 버퍼가 하는 일이 바로 그것입니다.
 #
-# 트리의 연결마다 시간줄이 하나씩 있습니다. 그림에서는 가로로 한 줄입니다.
+# 트리의 연결마다 시간줄이 하나씩 있습니다. 아래 그림에서는 가로로 한 줄입니다.
 # 시간줄에는 최근 몇 초 동안 받은 [[sample|표본(sample)]]이 저마다 측정 시각 자리에 놓여 있습니다.
 # 정적 연결에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
 #
@@ -424,7 +423,7 @@ lesson.draw_history(small.core, "map", "laser_frame", seconds(3.4))
 # It does **not** mean now.
 #
 # **Predict** from the picture: `map → odom` ends at 4.00 s, `odom → base_link` at 4.75 s, the static mount was sent at 1.00 s, and the time now is 4.80 s.
-# Which time does `Time()` give?
+# Which time does `Time()` give? (The output writes target `<-` source.)
 
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
 # ### “최신”은 언제의 것일까요?
@@ -476,7 +475,7 @@ print("stamp of the message:", Time.from_msg(finder.messages[-1].header.stamp).n
 # %% [markdown] lang="en" name="latest-live-read"
 # There are three times here: 13.00 s is now, 12.89 s is the latest common time, and 12.80 s is the stamp of the image.
 # `Time()` gives neither now nor the time of the image. It gives the end of the timeline that ends first.
-# The returned transform contains its stamp. Print the stamp: it is not now.
+# The returned transform contains its stamp.
 #
 # Now drag the requested time through the small buffer, and past both of its ends.
 
@@ -502,7 +501,7 @@ lesson.draw_history(small.core, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="ko" name="past-the-end-read"
 # 예를 들어 4.4초에 `odom → base_link`에는 값이 있지만 `map → odom`에는 값이 없으므로, 조회가 실패합니다.
-# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절은 09장에서 자세히 다룹니다.
+# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 예외를 일으킵니다. 예외는 09장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
 # Drag slowly across 4.00 s and let the class see the handle change into a cross.
@@ -542,7 +541,7 @@ print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y
 # %% [markdown] lang="en" name="worked-one-line" slide="subslide"
 # The true position of the ball is (6.50, -1.50, 0.30).
 #
-# These lines are so common that tf2 has one call for them.
+# tf2 has one call for these lines.
 # `buffer.transform(message, "map")` reads frame and stamp from the message, so you cannot mix them up:
 
 # %% [markdown] lang="ko" name="worked-one-line" slide="subslide"
@@ -628,7 +627,7 @@ import copy
 # %xmode Minimal
 measured = finder.messages[-1]
 late = copy.deepcopy(measured)
-late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and now it says "now"
+late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, but stamped with the time now
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
@@ -649,7 +648,7 @@ for name, detection in (("overwritten", late), ("as measured", measured)):
     print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {off_m:.2f} m")
 
 # %% [markdown] lang="en" name="the-cure-read" slide="subslide"
-# The exception is gone, but the ball's position is wrong. From now on no error tells you so.
+# The exception is gone, but the ball's position is wrong. From now on there is no error message.
 # **The stamp is the time of the measurement, not of the arrival.** If you overwrite it, the error does not go away. It becomes invisible.
 
 # %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
@@ -700,7 +699,7 @@ for name, detection in (("overwritten", late), ("as measured", measured)):
 #
 # <details><summary>B. 조회하기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
 #
-# 더 나중의 시각을 조회하게 되어 거절이 늘고, 성공해도 지연 전체만큼 틀립니다. 게다가 그 메시지를 나중에 읽는 노드는 모두 틀린 시각을 쓰게 됩니다.
+# 더 나중의 시각을 조회하게 되어 예외가 늘고, 성공해도 지연 전체만큼 틀립니다. 게다가 그 메시지를 나중에 읽는 노드는 모두 틀린 시각을 쓰게 됩니다.
 #
 # </details>
 #
@@ -786,7 +785,7 @@ node.stop()
 # 로봇은 전과 똑같이 발행하고 있습니다. 변환을 받지 못하는 것은 노드입니다.
 #
 # 스레드가 하나인 노드는 한 번에 한 가지 일만 합니다.
-# 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 `/tf`를 읽는 스레드가 없습니다. 그래서 아무리 기다려도 소용이 없습니다.
+# 첫 점의 조회가 실패하자 콜백은 0.2초 동안 변환을 기다리고, 그동안 `/tf`를 읽는 스레드가 없습니다. 그래서 아무리 기다려도 소용이 없습니다.
 # 그러면 다음 점이 와서 또 0.2초를 기다립니다.
 # 변환은 큐에 쌓이고, 노드는 한 번 기다릴 때마다 하나씩만 읽습니다.
 #
@@ -800,14 +799,14 @@ node.stop()
 # %% [markdown] lang="en" name="point-to-map-read" slide="subslide"
 # One point is rejected. After that the ball is in its true position each time.
 #
-# The first point is older than all transforms that the node has received. That point is lost, and this is correct.
+# The first point is older than all transforms that the node has received. (Its message has another text, because one edge had only one sample.) That point is lost, and this is correct.
 # A mapping node once crashed for this reason at start-up, because a scan was 41 ms older than the first transform ([SteveMacenski/slam_toolbox, issue 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
 # The change that was proposed there looked up the latest transform instead. You know now which error that would have hidden.
 
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
 # 한 번 거절한 뒤로는 공을 계속 제자리에 찍습니다.
 #
-# 첫 점은 노드가 받은 가장 이른 변환보다도 오래되었습니다. 그 점은 버리는 것이 맞습니다.
+# 첫 점은 노드가 받은 가장 이른 변환보다도 오래되었습니다. (오류 메시지가 앞의 것과 다른 까닭은, 표본이 아직 하나뿐인 연결이 있기 때문입니다.) 그 점은 버리는 것이 맞습니다.
 # 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 종료되었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다([SteveMacenski/slam_toolbox, 이슈 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
 # 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 어떤 오차가 생겼을지 이제 알 수 있습니다.
 
@@ -950,20 +949,20 @@ node.stop()
 # - A wrong time gives a wrong position: speed × delay forwards, range × yaw rate × delay sideways.
 # - The stamp is the time of the measurement. If you overwrite it, the error becomes invisible.
 #
-# Terms of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
+# Terms of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]]. Of the sections after the core: [[motion distortion]], [[fixed frame]].
 #
 # Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercises tick both for you.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥은 거절합니다.
+# - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥의 시각에는 예외를 일으킵니다.
 # - `Time()`은 최신 공통 시각입니다. 동적 연결마다 마지막 표본의 시각이 있고, 그 가운데 가장 이른 것입니다. 현재 시각이 아닙니다.
 # - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
 # - 요청 시각이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
 # - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 드러나지 않습니다.
 #
-# 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
+# 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]]. 핵심 부분 다음의 절에 나오는 용어: [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
 #
 # 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각의 변환으로 바꾸었습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
 
@@ -993,19 +992,21 @@ node.stop()
 # ## Enough to go on
 #
 # You can now transform a measurement at its own stamp, and estimate the error of a program that uses another time.
-# Do the exercises next, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb). Then go on to [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
-# In the exercises, `solution("E8.3")` shows a solution after you have passed the task or tried three times.
 #
-# The sections below are optional. They contain more experiments with time, the lecture's file, a table of symptoms, and questions for practice.
+# Do the exercises next, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb). Three of them need a section below: E8.5 "Is your robot's data old?" and "A forgotten import", E8.6 "How long must the buffer remember?", E8.7 "Two times in one lookup".
+# Then go on to [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
+#
+# The other sections are optional: more experiments with time, the lecture's file, and questions for practice.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
 #
 # 이제 메시지를 그 측정 시각의 변환으로 바꿀 수 있고, 다른 시각을 쓰는 프로그램이 얼마나 빗나가는지 어림할 수 있습니다.
-# 다음은 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/E08_buffer_and_measurement_time.ipynb)입니다. 그다음 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다.
 #
-# 아래는 더 알고 싶은 사람을 위한 것입니다. 시각을 바꾸어 보는 실험, 강의의 파일, 증상별 표, 복습 문제가 있습니다.
+# 다음은 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/E08_buffer_and_measurement_time.ipynb)입니다. 세 과제에는 아래의 절이 필요합니다. E8.5는 ‘여러분 로봇의 데이터는 얼마나 오래되었을까요?’와 ‘빠뜨린 import’, E8.6은 ‘버퍼는 얼마나 오래 기억해야 할까요?’, E8.7은 ‘두 시각을 한 번에’입니다.
+# 그다음 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
+#
+# 나머지 절은 더 알고 싶은 사람을 위한 것입니다. 시각을 바꾸어 보는 실험, 강의의 파일, 복습 문제가 있습니다.
 
 # %% [markdown] lang="en" name="try-it-heading" slide="slide"
 # ## Try it: other times, and a drive without curves
@@ -1063,12 +1064,12 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
 # 180°. The robot rotated by 20°, through ±180°, as any robot would.
 # If you average the two angles you get 0°, and the robot appears to face in the opposite direction.
-# Many programs contain this bug. In the exercise you can make this mistake without harm.
+# Many programs contain this bug. In E8.2 you write the interpolation yourself.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
 # 180°입니다. 뒤쪽을 지나 20°만 회전했습니다.
 # 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
-# 어느 프로그래밍 언어에서나 흔한 버그입니다. 연습 문제에서 한 번 더 만들어 볼 수 있습니다.
+# 어느 프로그래밍 언어에서나 흔한 버그입니다. 연습 문제 E8.2에서 이 보간을 직접 구현합니다.
 
 # %% [markdown] lang="en" name="walls-twice-heading" slide="slide"
 # ## Walls drawn twice: an overwritten stamp on a laser
@@ -1214,7 +1215,7 @@ print(refusals[0])
 # ## 빠뜨린 import: 잡히지 않는 예외
 
 # %% [markdown] lang="en" name="break-type" slide="-"
-# How does `transform()` know what to do with a `PointStamped`?
+# Where does `transform()` find the conversion of a `PointStamped`?
 # Importing `tf2_geometry_msgs` registers the conversion. The import looks unused, so one day a tidy colleague deletes it.
 #
 # This page imported the conversions for points but not those for point clouds, `tf2_sensor_msgs`:
@@ -1236,7 +1237,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="forgotten-import-read"
 # `except TransformException` did not catch it, because `TypeException` is **not** a `TransformException`.
 # TF is not the cause. No transform was looked up, because the conversion of this type is not registered.
-# Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
+# Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Give the reason in a comment beside it.
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # 예외가 `except TransformException`에 잡히지 않았습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.

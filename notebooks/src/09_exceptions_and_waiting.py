@@ -35,26 +35,28 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message arrives or a timer fires. An *executor* calls them. `rclpy.spin(node)` uses an executor with one thread, which runs one callback at a time.
+# - **A node (08).** A node has *callbacks*: functions that run when a message arrives or a timer fires. An *executor* calls them. `rclpy.spin(node)` uses an executor with one thread, which runs one callback at a time.
 #
-# <details><summary>What the page uses of 04, 05 and 06, if you have forgotten it</summary>
+# <details><summary>What the page uses of 04, 05, 06 and 08, if you have forgotten it</summary>
 #
 # - **The tree (04).** A frame without a parent is a root. Two frames are connected if the paths up from both end at the same root.
 # - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheel odometry `odom → base_footprint`.
 # - **Static and dynamic (06).** A mount is sent once on `/tf_static` and is valid at all times. What moves is sent repeatedly on `/tf`, with a stamp.
+# - **The buffer (08).** It has a timeline for each edge. `Time()` means their latest common time.
 #
 # </details>
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기를 쓰므로 콜백을 한 번에 하나만 실행합니다.
+# - **노드(08).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기를 쓰므로 콜백을 한 번에 하나만 실행합니다.
 #
-# <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
+# <details><summary>04, 05, 06, 08장에서 쓰는 것(오래전에 보았다면)</summary>
 #
 # - **트리(04).** 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
 # - **흔히 쓰는 트리(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리 노드가 발행합니다.
 # - **정적과 동적(06).** 나사로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
+# - **버퍼(08).** 연결마다 시간줄이 하나씩 있습니다. `Time()`은 시간줄들의 최신 공통 시각을 뜻합니다.
 #
 # </details>
 
@@ -69,7 +71,7 @@ from tflab.workbook import lesson
 # RViz had looked up a time 43 ms newer than the newest transform that it had ([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # The makers of the robot replied with a question: are its clock and the desktop's clock synchronised?
 #
-# Other users set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros, issue 21; perception_pcl, issue 416).
+# Other users set a timeout (of a whole second, in one case), and the errors went away ([stella_vslam_ros, issue 21](https://github.com/stella-cv/stella_vslam_ros/issues/21); [perception_pcl, issue 416](https://github.com/ros-perception/perception_pcl/issues/416)).
 # For some that was the fix. For others it only hid the fault.
 # **How can you tell which?**
 #
@@ -92,7 +94,7 @@ from tflab.workbook import lesson
 # *그림 읽기:* stamped (robot's clock) = 측정(로봇의 시계), sent (robot's clock) = 송신(로봇의 시계), received (desktop's clock) = 수신(데스크톱의 시계), dropped = 버림, on each clock = 저마다의 시계로. “62 ms, dropped”는 측정 시각에서 62 ms 뒤에 수신했지만 데스크톱이 변환을 찾지 못해 그 스캔을 버렸다는 뜻입니다.
 
 # %% name="story-picture" tags=["collapsed"] slide="subslide"
-# Draw the ways of three scans.
+# Draw the journeys of three scans.
 from tf2_ros import Buffer
 from tflab.core import StampedTransform, Transform, seconds
 
@@ -157,7 +159,7 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
 # At 12.3 s there is an answer, although no sample has exactly this time: tf2 interpolates.
 #
-# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow shows the direction of the data.)
+# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame.)
 # You look up the transform `map ← laser_frame` **at 14.3 s**, and then **at 10.6 s**.
 # For each: an answer or an exception? Which exception? Because of which edge?
 #
@@ -196,7 +198,7 @@ for second in (12.3, 14.3, 10.6):
 # At 14.3 s it was `map → odom` that ended too early: the *localiser*, although the odometry had data until 14.6 s.
 # At 10.6 s it was `odom → base_footprint` that began too late.
 #
-# Now look at the text again. It names `laser_frame` and `map`. It names neither `odom` nor `base_footprint`.
+# Now look at the text again. It names neither `odom` nor `base_footprint`.
 # **The text names the two frames of the lookup. It does not name the edge that limits it.**
 # On a robot, people read "laser_frame", and replace the laser's cable.
 
@@ -205,7 +207,7 @@ for second in (12.3, 14.3, 10.6):
 # 14.3초에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6초까지 표본이 있었으니, 원인은 *위치 추정 노드*입니다.
 # 10.6초에는 `odom → base_footprint`의 표본이 없습니다. 이 연결은 11.0초에 시작했습니다.
 #
-# 이제 오류 메시지를 다시 보세요. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
+# 이제 오류 메시지를 다시 보세요. `odom`도 `base_footprint`도 나오지 않습니다.
 # **오류 메시지에는 조회한 두 좌표계의 이름만 나오고, 어느 연결에서 막혔는지는 나오지 않습니다.**
 # 그래서 현장에서는 “laser_frame”을 읽고 레이저 케이블부터 바꾸는 일이 생깁니다.
 
@@ -225,7 +227,7 @@ for second in (12.3, 14.3, 10.6):
 # | a lookup needs | otherwise tf2 raises | look first at |
 # | --- | --- | --- |
 # | valid arguments: no empty name, no `/` at the beginning | [[invalid argument exception|InvalidArgumentException]] | the line of the lookup, `header.frame_id` |
-# | two **names** that this buffer knows | [[lookup exception|LookupException]] | spelling; is its publisher running? |
+# | two **names** in this buffer | [[lookup exception|LookupException]] | spelling; is its publisher running? |
 # | a **path**: both names in one tree | [[connectivity exception|ConnectivityException]] | `view_frames`: two roots |
 # | data for that **time** on every edge of the path | [[extrapolation exception|ExtrapolationException]] | stamps and clocks |
 #
@@ -300,13 +302,13 @@ else:
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it, one by one
 #
-# You have caused two extrapolation exceptions. Now cause the other two on purpose. The red texts are those of a robot, to the letter.
+# You have caused two extrapolation exceptions. Now cause a LookupException and a ConnectivityException. The red texts are those of a robot, to the letter.
 # (`%xmode Minimal` leaves out the traceback. On a robot, read its **last** line.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 하나씩
 #
-# 외삽 예외는 이미 두 번 만났습니다. 나머지 둘도 일부러 만들어 봅시다. 빨간 글씨는 실제 로봇에서 나오는 것과 한 글자도 다르지 않습니다.
+# 외삽 예외는 이미 두 번 만났습니다. 이번에는 LookupException과 ConnectivityException을 일부러 만들어 봅시다. 빨간 글씨는 실제 로봇에서 나오는 것과 한 글자도 다르지 않습니다.
 # (`%xmode Minimal`은 traceback을 생략합니다. 로봇에서는 traceback의 **마지막** 줄을 읽으십시오.)
 
 # %% [markdown] lang="en" name="break-lookup-why" slide="subslide"
@@ -363,12 +365,12 @@ print(buffer.all_frames_as_string())
 # %% [markdown] lang="en" name="handler" slide="slide"
 # ## Four exceptions, four actions
 #
-# An exception is more than a log line. Each class needs a different action, so your code must distinguish them.
+# Each class needs a different action, so your code must distinguish them.
 
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
 #
-# 예외가 나면 로그 한 줄로 끝내지 말고, 무엇을 할지 정해야 합니다. 예외의 종류가 다르면 할 일도 다릅니다.
+# 예외의 종류가 다르면 할 일도 다릅니다. 그래서 코드에서 예외를 구별해야 합니다.
 
 # %% name="handler-code" slide="-"
 from tf2_ros import ConnectivityException, LookupException
@@ -556,7 +558,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # `/odom`: 0.004 s. The odometry node stamps it by the same clock as its transforms, so their side is healthy. The laser's clock is wrong.
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
-# `/scan`은 지연이 음수입니다. 스캔을 측정 시각보다 0.195초 *먼저* 받았습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
+# `/scan`은 지연이 음수입니다. 스캔을 측정 시각보다 0.195초 *먼저* 받았습니다. 그럴 수는 없으니, 시계가 틀린 것입니다.
 # (정상인 레이저라면 한 번 훑는 데 0.1초가 걸리므로 +0.105초가 나옵니다.)
 #
 # `/odom`은 0.004초입니다. 오도메트리 노드는 `/odom`과 변환에 같은 시계의 시각을 적으므로 변환 쪽은 정상입니다. 원인은 레이저의 시계입니다.
@@ -625,7 +627,8 @@ lesson.draw_placed({
 
 # %% [markdown] lang="en" name="plaster-read" tags=["predicted"] slide="subslide"
 # The wait ended each time, because after a while TF had data for the *wrong* stamp.
-# Then the lookup gave a correct answer to a wrong question: where was the laser 0.3 s **after** its measurement?
+# The lookup then returned the laser's pose 0.3 s **after** the measurement.
+# On the left, the stamps are corrected by 0.3 s: 0.07 m off on average. On the right, as the node used them: 0.32 m.
 #
 # A timeout checks whether the transform is there. It cannot check whether the stamp is true.
 # **Waiting fixes a delay. It does not fix a clock: it hides the fault.**
@@ -634,7 +637,8 @@ lesson.draw_placed({
 # *그림 읽기:* as measured = 측정한 그대로, with the wait that "works" = “통한다는” 기다림으로, x / y in map = map 기준 x / y, off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
 #
 # 기다림은 매번 성공했습니다. 잠시 뒤 *틀린* 시각의 변환까지 버퍼에 들어왔기 때문입니다.
-# 그래서 측정하고 0.3초 **지난 다음**의 레이저 위치가 나왔습니다. 필요한 것은 측정한 시각의 위치였습니다.
+# 그래서 측정하고 0.3초 **지난 다음**의 레이저 포즈가 나왔습니다. 필요한 것은 측정한 시각의 포즈였습니다.
+# 왼쪽은 측정 시각에서 0.3초를 빼서 바로잡은 것으로 평균 0.07 m, 오른쪽은 노드가 쓴 그대로로 평균 0.32 m 벗어났습니다.
 #
 # timeout은 변환이 왔는지 확인할 뿐, 시각이 맞는지는 확인하지 않습니다.
 # **데이터가 늦은 것이면 기다림으로 해결됩니다. 시계 차이는 해결되지 않고 드러나지 않게 될 뿐입니다.**
@@ -673,13 +677,13 @@ patient = lesson.on_robot_c(Patient)
 print(*patient.answers, sep='\n')
 
 # %% [markdown] lang="en" name="lanes-read" tags=["predicted"] slide="-"
-# None. Not one.
+# None. The callback returned only five times, each time with an exception. ("Only time … is in the buffer": an edge has one sample so far.)
 #
 # The first scan is 51 ms older than the first transform, so the callback waits its half second for nothing.
 # But why does it not recover? At the end it looks up 2.595 s, and the newest transform that it has is from 1.146 s. The longer it waits, the older its data is.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
-# 하나도 얻지 못했습니다.
+# 하나도 얻지 못했습니다. 3초 동안 콜백은 다섯 번만 끝났고, 그때마다 예외가 났습니다. (“only time … is in the buffer”는 표본이 아직 하나뿐인 연결이 있다는 뜻입니다.)
 #
 # 첫 스캔의 측정 시각은 첫 변환보다 51 ms 과거여서 값이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
 # 그런데 왜 회복되지 않을까요? 마지막에는 2.595초의 변환을 조회하지만, 버퍼의 최신 변환은 1.146초의 변환입니다. 기다릴수록 버퍼가 더 뒤처집니다.
@@ -746,7 +750,7 @@ lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="called-read" slide="-"
 # 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. The last two are still waiting.
-# And look at the callback: it is never busy.
+# The callback is never busy.
 
 # %% [markdown] lang="ko" name="called-read" slide="-"
 # 30개 가운데 27개입니다. 첫 스캔의 변환은 올 수 없으므로, 퓨처가 셋을 넘자 가장 오래된 그것을 취소했습니다. 마지막 둘은 아직 기다리는 중입니다.
@@ -981,7 +985,7 @@ lesson.draw_lanes(called)
 # %% [markdown] lang="en" name="robot-commands" slide="subslide"
 # ### In the terminal
 #
-# What to type when it happens, in this order:
+# Type these in this order:
 #
 # ```bash
 # ros2 topic delay /scan                        # negative? two clocks
@@ -1007,7 +1011,7 @@ lesson.draw_lanes(called)
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - **Name, path, time.** Lookup, connectivity, extrapolation: which of the three is missing?
+# - **Name, path, time.** No name: LookupException. No path: ConnectivityException. No data for the time: ExtrapolationException.
 # - The text does not name the edge that limits the lookup. Find that edge by the time in the text.
 # - Past: waiting is useless. Future: wait a little if the transform is *late*; set the clock if it is *wrong*. A negative delay means that a clock is wrong.
 # - A timeout checks whether the transform is there, never whether the stamp is true.
@@ -1059,24 +1063,24 @@ lesson.draw_lanes(called)
 #
 # You can now read what tf2 reports, tell late data from a wrong clock, and wait without blocking your node.
 #
-# **Now the exercises:** [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). For E9.6 and E9.7 open "Where else may I wait?" and "How long is 'a little'?" below. In E9.3, subtract the `.nanoseconds` of two times: rclpy cannot subtract Times of different clock types.
+# **Now the exercises:** [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). Some need a section below: E9.1 and E9.2 "Four more exceptions to cause", E9.4 "What one-way times cannot tell you", E9.6 "Where else may I wait?", E9.7 "How long is 'a little'?". In E9.3, subtract the `.nanoseconds` of two times: rclpy cannot subtract Times of different clock types.
 # **The next chapter** is [10 Clocks and bags](10_clocks_and_bags.ipynb): which clock must a node use while a recording is played?
 #
-# On your checklist this chapter is **C10**: the lookup, the connectivity and the extrapolation error, reproduced. Here it was simulated; do it once on the robot.
+# On your checklist this chapter is **C10**: lookup, connectivity and extrapolation error. Cause all three once on the robot, too.
 #
-# The sections below are for those who want more. Each heading opens one.
+# The other sections are optional: a slider, queues, stamps dated ahead, and questions.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
 #
 # 이제 tf2의 오류를 읽고, 늦은 데이터와 틀린 시계를 구별하고, 노드를 막지 않고 기다릴 수 있습니다.
 #
-# **이제 연습 문제입니다.** [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.6과 E9.7을 풀 때는 아래의 ‘그 밖에 어디서 기다려도 될까요?’와 ‘“조금”은 얼마일까요?’를 펼쳐 보세요. E9.3에서는 두 시각의 `.nanoseconds`를 뺍니다. rclpy는 종류가 다른 시계의 시각을 서로 빼지 못합니다.
+# **이제 연습 문제입니다.** [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. 아래의 절이 필요한 과제도 있습니다. E9.1과 E9.2는 ‘더 만들어 볼 예외 네 가지’, E9.4는 ‘한 방향의 시각만으로는 알 수 없는 것’, E9.6은 ‘그 밖에 어디서 기다려도 될까요?’, E9.7은 ‘“조금”은 얼마일까요?’를 펼쳐 보세요. E9.3에서는 두 시각의 `.nanoseconds`를 뺍니다. rclpy는 종류가 다른 시계의 시각을 서로 빼지 못합니다.
 # **다음 장**은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 노드는 어느 시계를 따라야 할까요?
 #
 # 실습 체크리스트에서 이 장은 **C10**입니다. 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.
 #
-# 아래는 더 알고 싶은 사람을 위한 절입니다. 제목을 누르면 펼쳐집니다.
+# 나머지는 더 알고 싶은 사람을 위한 절입니다. 슬라이더, 큐, 미래의 시각을 적는 발행자, 복습 문제가 있습니다. 제목을 누르면 펼쳐집니다.
 
 # %% [markdown] lang="en" name="slider-heading" slide="slide"
 # ## Drag the lookup out of the buffer
@@ -1126,7 +1130,7 @@ buffer.transform(corner, 'map')
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
 # 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지에 들어 있었습니다. `transform()`은 원본과 시각을 헤더에서 가져옵니다.
-# **조회하지 않은 좌표계가 예외에 나온다면, 다른 무언가가 그 이름을 정한 것입니다.** 메시지 헤더, RViz의 고정 좌표계(Fixed Frame), 코스트맵 파라미터가 그렇습니다.
+# **직접 입력하지 않은 이름이 예외에 나온다면, 다른 곳에서 온 것입니다.** 메시지 헤더, RViz의 고정 좌표계(Fixed Frame), 코스트맵 파라미터가 그렇습니다.
 # 이름은 글자 단위로 비교하므로 `Laser_frame`이라는 좌표계는 없습니다.
 
 # %% [markdown] lang="en" name="one-sample" slide="subslide"
@@ -1210,10 +1214,10 @@ for when in (Time(seconds=99), Time()):
 # 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 조회해 보십시오. *그때* "not part of the same tree"가 나오면 찾아야 할 결함은 시각이 아니라 경로입니다.
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
-# This is the one difficult point of the first half. If time is short, say only the last sentence: look up once more with Time().
+# This is the one difficult point about exceptions. If time is short, say only the last sentence: look up once more with Time().
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
-# 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말합니다. Time()으로 한 번 더 조회합니다.
+# 예외에 관해 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말합니다. Time()으로 한 번 더 조회합니다.
 
 # %% [markdown] lang="en" name="one-way" slide="subslide"
 # ## What one-way times cannot tell you
@@ -1497,7 +1501,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # </details>
 #
-# <details><summary>From 08. What does <code>Time()</code> ask for, and why is its answer in this page's buffer from 14.0 s, although the odometry had data until 14.6 s?</summary>
+# <details><summary>From 08. Which time does a lookup with <code>Time()</code> use? Why is that 14.0 s in this page's buffer, although the odometry had data until 14.6 s?</summary>
 #
 # The latest *common* time: the earliest of the newest samples of all dynamic edges on the path. Static edges do not count.
 #
@@ -1541,7 +1545,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # <details><summary>Ideas of a full answer</summary>
 #
-# - Lookup: the buffer does not know a *name* (typo, publisher not running, nothing received *yet*).
+# - Lookup: a *name* is not in the buffer (typo, publisher not running, nothing received *yet*).
 # - Connectivity: both names are known, but there is no *path*: the tree is in pieces, two roots.
 # - Extrapolation: there is a path, but an edge on it has no data at that *time*, and tf2 does not guess.
 # - Each needs another first check: the name; the tree; stamps and clocks.

@@ -23,7 +23,7 @@
 # - 로봇에서 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for the vote and the robot's commands, 6 for the ticket and questions.
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the node that reports the error, 8 for the loop, 6 for the vote and the robot's commands, 6 for the ticket and questions.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분은 이렇게 나눕니다. ‘지루한 처음 1초 건너뛰기’까지 11분, ‘숫자 하나’ 9분, ‘두 시계’와 ‘오류를 내는 노드’ 15분, 반복 재생 8분, 투표와 로봇의 명령 6분, 쪽지와 질문 6분입니다.
@@ -40,13 +40,13 @@
 #
 # - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 나중에 참가하는 노드를 위해 발행자가 메시지를 보관합니다.
 # - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]에서는 가장 오래된 표본과 최신 표본 사이의 시각만 조회할 수 있고, `Time()`은 최신을 뜻합니다.
-# - **세 가지 거절**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 한 연결의 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
+# - **세 가지 예외**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 한 연결의 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% [markdown] lang="en" name="needed-notes" slide="notes"
 # Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the chapter's number down and read it at home.
 
 # %% [markdown] lang="ko" name="needed-notes" slide="notes"
-# 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
+# 1분만 씁니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -63,7 +63,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 지루한 처음 1초 건너뛰기
 #
-# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않습니다. 2026년에 보고되었고, 의도한 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않았습니다. 2026년에 보고되었고, 의도한 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
 # 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
 # 그 첫 순간에 무엇이 있었을까요? 우리 로봇이 방을 달리는 15초를 기록해 봅시다.
@@ -82,10 +82,10 @@ nodes = lesson.launch(graph, robot)
 bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
 
 # %% [markdown] lang="en" name="record-intro" slide="subslide"
-# This is the lecture's command, with `/imu` added. On a robot you stop the command with Ctrl-C. Here `--for` stops it. (With `TFLAB_ROS_DISTRO=lyrical`, write `--topics` before the topics.)
+# This is the lecture's command, with `/imu` added. On a robot you stop the command with Ctrl-C. Here `--for` stops it. `{bags}` is a temporary folder of this page. (With `TFLAB_ROS_DISTRO=lyrical`, write `--topics` before the topics.)
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
-# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다. (`TFLAB_ROS_DISTRO=lyrical`이라면 토픽 앞에 `--topics`를 적으십시오.)
+# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다. `{bags}`는 이 페이지의 임시 폴더입니다. (`TFLAB_ROS_DISTRO=lyrical`이라면 토픽 앞에 `--topics`를 적으십시오.)
 
 # %% name="record"
 # %ros2 --for 15.03 bag record -o {bags}/lap /scan /odom /tf /tf_static /imu /clock
@@ -146,10 +146,10 @@ lesson.draw_heard(lap, for_s=2.0)
 # 마지막 줄을 손으로 가리고 나머지 줄의 발행률을 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
-# To find out you need a node that listens while the bag plays. For each scan it makes three lookups: at the scan's stamp, at its own *now*, and at `Time()`. It also counts its timer callbacks, and measures the age of a scan by its own clock.
+# To find out you need a node that listens while the bag plays. For each scan it makes three lookups: at the scan's stamp, at its own *now*, and at `Time()`. It also counts its timer callbacks, and measures the age of a scan by its own clock. Its code is folded away: you need only its counts.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
-# 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
+# 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다. 코드는 접어 두었습니다. 여기서는 그 결과만 봅니다.
 
 # %% name="imports" tags=["collapsed"] slide="skip"
 # Import what the page's node needs.
@@ -208,7 +208,7 @@ for options in ("--clock", "--clock --start-offset 0.001"):
 print(asker.first_no)
 
 # %% [markdown] lang="en" name="offset-read" tags=["predicted"]
-# None. The one message with the mounts was at 0.000 s, and the player skipped it. From then on no listener knows a `laser_frame`.
+# None. The one message with the mounts was at 0.000 s, and the player skipped it. From then on `laser_frame` is in no buffer.
 # On the robot its publisher would send it again to each listener that joins later; that is how `/tf_static` works. A player publishes nothing from before the offset.
 #
 # If you must begin later, let `robot_state_publisher` publish the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are already listening. When that player ends, the message that it kept for late listeners is gone.
@@ -230,7 +230,7 @@ print(asker.first_no)
 #
 # *Can the transforms in this bag place its own messages?* You need not play it to know. Fill a buffer with its transforms, and look up each message at its stamp.
 #
-# **Predict** for the scans: all topics; without `/tf_static`; without `/tf`.
+# **Predict:** how many of the 150 scans can be placed with all topics, how many without `/tf_static`, and how many without `/tf`?
 
 # %% [markdown] lang="ko" name="one-number" slide="slide"
 # ## 어떤 bag에나 통하는 숫자 하나
@@ -283,7 +283,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 #
 # ### Predict
 #
-# Sixty scans are played. For each of the four set-ups: how many lookups succeed at the scan's **stamp**, how many at the node's **now**, and does the timer run?
+# Sixty scans are played. There are four set-ups: `use_sim_time` false or true, with and without `--clock`. For each: how many lookups succeed at the scan's **stamp**, how many at the node's **now**, and does the timer run?
 # Begin with this one: `use_sim_time` is false, no `--clock`, and the node looks up at `header.stamp`. Does it work at all?
 
 # %% [markdown] lang="ko" name="two-clocks" slide="slide"
@@ -294,7 +294,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 #
 # ### 예측해 봅시다
 #
-# 스캔 예순 개를 재생합니다. 네 가지 설정마다 스캔의 **측정 시각**으로는 몇 개, 노드의 **현재 시각**으로는 몇 개의 조회가 성공할까요? 타이머는 울릴까요?
+# 스캔 예순 개를 재생합니다. 설정은 네 가지입니다. `use_sim_time`이 false이거나 true이고, `--clock`이 없거나 있습니다. 설정마다 스캔의 **측정 시각**으로는 몇 개, 노드의 **현재 시각**으로는 몇 개의 조회가 성공할까요? 타이머는 울릴까요?
 #
 # 먼저 이것부터 생각해 봅시다. `use_sim_time`은 false이고 `--clock`도 없으며, 노드는 `header.stamp`의 변환을 조회합니다. 동작하기는 할까요?
 
@@ -322,7 +322,7 @@ for use_sim_time in (False, True):
 # - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*의 조회는 60번 가운데 59번 성공합니다. 이 조회가 성공하는 설정은 이것뿐입니다.
 
 # %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
-# Fifteen minutes from here to the wrong suspect. Four rows and three columns on the board; the class fills in each before it is run. Most leave the first cell empty, and it is 59.
+# Fifteen minutes from here to "The node that reports the error is not the cause". Four rows and three columns on the board; the class fills in each before it is run. Most leave the first cell empty, and it is 59.
 
 # %% [markdown] lang="ko" name="two-clocks-notes" slide="notes"
 # 여기서 ‘오류를 내는 노드가 원인은 아닙니다’까지 15분입니다. 칠판에 네 줄 세 칸짜리 표를 만든 다음, 실행하기 전에 함께 채웁니다. 대부분 첫 칸을 비워 두지만 답은 59입니다.
@@ -350,10 +350,10 @@ for use_sim_time in (False, True):
 # 셋째 줄을 오래 봅니다. 왜 고장 난 설정이 가장 정상으로 보입니까? 0이 최신을 뜻한다는 말이 나올 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="panel-intro" slide="subslide"
-# Set the clocks yourself. Switch `--clock` off: which line falls to zero? Then drag the time, change `--rate`, switch the loop off.
+# Set the clocks yourself. Switch `--clock` off: which line falls to zero? Then drag the time, change `--rate` (the speed of playing), and switch `--loop` off.
 
 # %% [markdown] lang="ko" name="panel-intro" slide="subslide"
-# 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간의 슬라이더를 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
+# 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간의 슬라이더를 끌고, `--rate`(재생 속도)를 바꾸고, `--loop`(반복)를 꺼 보세요.
 
 # %% name="clocks-panel" tags=["interactive", "collapsed"]
 # Show the panel.
@@ -363,7 +363,7 @@ lesson.clocks_panel()
 lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), played_s=9.0)
 
 # %% [markdown] lang="en" name="clocks-read"
-# Below is the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis is system time. The table shows the result of a lookup of *now* in each node.
+# Below the break of the axis is the bag's time: a line that rises with `--rate` and begins again in a loop. Above it is system time. The table shows the result of a lookup at *now* in each node.
 
 # %% [markdown] lang="ko" name="clocks-read"
 # *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, lookup at now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
@@ -467,12 +467,12 @@ except TransformException as error:
 # Every node that looks up a transform gets the error; the one at fault has none. This localiser stamps its transforms with its own clock, a day later than the bag. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
 #
 # *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path the two days have no common time.
-# Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep system time: it only repeats what was recorded.)
+# Which node wrote those stamps? `tflab doctor`, a program that looks for TF problems, examines all nodes at once. Read its first finding, and the line *Published by*. (The player may keep system time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
 # 조회하는 노드에서는 모두 오류가 나는데, 정작 원인인 노드에서는 나지 않습니다. 위치 추정 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로의 시간줄들에는 공통인 시각이 없습니다.
-# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
+# 누구의 측정 시각일까요? TF 문제를 찾는 프로그램 `tflab doctor`로 모든 노드를 한꺼번에 검사해 봅시다. 첫 결과와 *Published by* 줄을 읽어 보세요. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
 
 # %% name="innocent-doctor" slide="-"
 print(lesson.doctor(lesson.current_graph(), seconds=3.0))
@@ -692,7 +692,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# You need ten seconds of your robot, or of a simulation, and two terminals. Stop the robot's own nodes before you play, or two nodes publish each transform.
+# You need your robot, or a simulation, for ten seconds, and two terminals. Stop the robot's own nodes before you play, or two nodes publish each transform.
 #
 # ```
 # ros2 bag record -o kitchen /scan /odom /tf /tf_static
@@ -710,7 +710,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 로봇이나 시뮬레이션을 10초 동안 기록한 것과 터미널 두 개가 필요합니다. 재생하기 전에 로봇의 노드를 멈추십시오. 그러지 않으면 변환마다 발행자가 둘이 됩니다.
+# 로봇이나 시뮬레이션을 10초 동안 기록합니다. 터미널은 두 개가 필요합니다. 재생하기 전에 로봇의 노드를 멈추십시오. 그러지 않으면 변환마다 발행자가 둘이 됩니다.
 #
 # ```
 # ros2 bag record -o kitchen /scan /odom /tf /tf_static
@@ -927,7 +927,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 #
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 #
-# The sections below are for those who want more. Each heading opens one.
+# The sections below are optional: a bag of your own, a parameter in quotes, a bag in a loop, and questions. Each heading opens one.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
@@ -939,7 +939,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 #
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 #
-# 아래는 더 알고 싶은 사람을 위한 절입니다. 제목을 누르면 펼쳐집니다.
+# 아래는 더 알고 싶은 사람을 위한 절입니다. 여러분의 bag, 따옴표를 붙인 파라미터, 반복 재생, 복습 문제가 있습니다. 제목을 누르면 펼쳐집니다.
 
 # %% [markdown] lang="en" name="your-bag-heading" slide="slide"
 # ## Your own bag
@@ -960,10 +960,10 @@ BAG = lesson.example_bag()  # or the path of yours
 # %ros2 bag info {BAG}
 
 # %% [markdown] lang="en" name="your-bag-notes" slide="notes"
-# Six minutes, at their own machines. Those who have a bag write its path; the others keep ours. What do you expect of it?
+# Six minutes, if there is time, at their own machines. Those who have a bag write its path; the others keep ours. What do you expect of it?
 
 # %% [markdown] lang="ko" name="your-bag-notes" slide="notes"
-# 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
+# 시간이 남으면 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
 
 # %% name="bag-tree" tags=["collapsed"] slide="subslide"
 # Draw the bag's tree.
