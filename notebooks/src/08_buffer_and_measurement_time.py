@@ -331,7 +331,7 @@ lesson.draw_latency(turning)
 lesson.latency_panel(turning)
 
 # %% name="slider-still" tags=["static"]
-lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
+lesson.draw_latency(turning)
 
 # %% [markdown] lang="en" name="slider-answer" slide="fragment"
 # <details><summary>Answers</summary>

@@ -856,7 +856,7 @@ lesson.draw_lanes(called)
 # from rclpy.node import Node
 # from rclpy.time import Time
 # from tf2_geometry_msgs import do_transform_point
-# from tf2_ros import Buffer, TransformListener
+# from tf2_ros import Buffer, TransformException, TransformListener
 # from tf2_ros import ConnectivityException, ExtrapolationException, LookupException
 #
 #
@@ -886,6 +886,8 @@ lesson.draw_lanes(called)
 #             self.get_logger().warning(f'check the broken tree: {error}')
 #         except ExtrapolationException as error:
 #             self.get_logger().warning(f'check stamp, clock and delay: {error}')
+#         except TransformException as error:
+#             self.get_logger().warning(f'check the arguments: {error}')
 #         else:
 #             if self.get_clock().now() - stamp < Duration(seconds=0.5):  # old data moves no robot
 #                 point = do_transform_point(message, transform)
@@ -927,7 +929,7 @@ lesson.draw_lanes(called)
 # from rclpy.node import Node
 # from rclpy.time import Time
 # from tf2_geometry_msgs import do_transform_point
-# from tf2_ros import Buffer, TransformListener
+# from tf2_ros import Buffer, TransformException, TransformListener
 # from tf2_ros import ConnectivityException, ExtrapolationException, LookupException
 #
 #
@@ -957,6 +959,8 @@ lesson.draw_lanes(called)
 #             self.get_logger().warning(f'check the broken tree: {error}')
 #         except ExtrapolationException as error:
 #             self.get_logger().warning(f'check stamp, clock and delay: {error}')
+#         except TransformException as error:
+#             self.get_logger().warning(f'check the arguments: {error}')
 #         else:
 #             if self.get_clock().now() - stamp < Duration(seconds=0.5):  # old data moves no robot
 #                 point = do_transform_point(message, transform)
