@@ -94,7 +94,7 @@ from tflab.workbook import lesson
 # Draw where the part is, and where the arm goes.
 base_T_camera = Transform((0.10, 0.0, 0.30))
 base_T_optical = base_T_camera @ lesson.BODY_T_OPTICAL
-detected = (0.25, 0.15, 1.2)  # what the detector said [m]
+detected = (0.25, 0.15, 1.2)  # what the detector reported [m]
 lesson.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera},
     points={"the part": base_T_optical.apply(detected)},
@@ -252,7 +252,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # `Transform.from_rpy(r, p, y)` is always `yaw @ pitch @ roll`.
 
 # %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
-# *그림 읽기:* first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
+# *그림 읽기:* start = 시작, first roll, then yaw = 먼저 roll, 다음 yaw.
 #
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다. 순서가 중요합니다.
 #
@@ -272,6 +272,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # %% [markdown] lang="ko" name="rpy-move" slide="skip"
 # 이제 슬라이더를 한 번에 하나만 움직여 봅시다. 움직이기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
 # 패널은 같은 회전을 *quaternion*(2부)과 *matrix*(3부)로도 적어 보여 줍니다. 지금은 어떻게 바뀌는지만 보십시오.
+# *그림 읽기:* grey: fixed axes = 회색은 고정된 축.
 
 # %% name="rpy-panel" tags=["interactive", "collapsed"] slide="subslide"
 # Show the panel.
@@ -1225,7 +1226,7 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # 버퍼의 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
-import tf2_geometry_msgs  # teaches buffer.transform() about points
+import tf2_geometry_msgs  # lets buffer.transform() accept a PointStamped
 from tf2_ros import Buffer, TransformListener
 
 rclpy.try_shutdown()  # so that this cell can be run again
@@ -1259,7 +1260,7 @@ print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 # 다음은 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기입니다.
 
 # %% name="cloud-obstacles"
-import tf2_sensor_msgs  # teaches buffer.transform() about clouds
+import tf2_sensor_msgs  # lets buffer.transform() accept a PointCloud2
 
 
 def obstacles_ahead(frame_id):

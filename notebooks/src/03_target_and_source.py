@@ -105,7 +105,7 @@ from tflab.workbook import lesson
 
 # %% name="two-readings" tags=["collapsed"] slide="subslide"
 # Draw both readings of the phrase.
-mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
+mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # rotated left, ahead, above
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
@@ -116,10 +116,10 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # The solution is a sentence with neither "from" nor "to". First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
-# *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
+# *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다), along the axes of = 이 좌표계의 축을 따라 잰 값.
 #
-# 읽기 1은 센서를 다는 사람의 말입니다. 로봇을 기준으로 레이저는 어디에 *달려* 있는가? 값은 (0.20, 0, 0.15)입니다.
-# 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 비교해 보세요.
+# 읽기 1은 센서를 다는 사람의 말입니다. 로봇을 기준으로 레이저는 어디에 *달려* 있는가? 로봇의 축을 따라 잰 값은 (0.20, 0, 0.15)입니다.
+# 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 레이저의 축을 따라 잰 값은 (0, 0.20, −0.15)입니다.
 # 둘 다 “base_link에서 laser_frame으로”라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
 # 해결책은 “…에서 …(으)로”라고 말하지 않는 문장 하나입니다. 먼저 예측하고 실행해 봅시다.
@@ -196,7 +196,7 @@ listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
 # %% name="the-corner" tags=["predicted"] slide="fragment"
-import tf2_geometry_msgs  # teaches buffer.transform() about points
+import tf2_geometry_msgs  # lets buffer.transform() accept a PointStamped
 from geometry_msgs.msg import PointStamped
 
 seen = PointStamped()
