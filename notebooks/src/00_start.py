@@ -13,7 +13,7 @@
 # The ROS 2 code that you write runs on a real robot unchanged.
 # The workbook follows one lecture on TF2. "The lecture" on a page always means that one. You do not need to have attended it.
 #
-# On this page you take a tour of ten minutes. Then you see the chapters, how your answers are checked, and what you have passed so far.
+# On this page you take a tour of ten minutes. Then you see what you have passed so far, the chapters, and how your answers are checked.
 # Rest the pointer on a word with a dotted line to see what it means. The [glossary](90_glossary.ipynb) lists all of them.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -31,7 +31,7 @@
 # 여기서 쓴 ROS 2 코드는 실제 로봇에서 그대로 실행됩니다.
 # 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문의 ‘강의’는 언제나 그 강의입니다. 강의를 듣지 않았어도 됩니다.
 #
-# 이 페이지에서는 10분 동안 먼저 둘러본 다음, 각 장의 소개, 답을 확인하는 방법, 나의 학습 현황을 차례로 봅니다.
+# 이 페이지에서는 10분 동안 먼저 둘러본 다음, 나의 학습 현황, 장 목록, 답을 확인하는 방법을 차례로 봅니다.
 # 점선이 그어진 단어에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
 
 # %% [markdown] lang="en" name="how-to-run" slide="skip"
@@ -53,7 +53,7 @@ from tflab.workbook import lesson
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
 # 모든 장의 첫 코드 셀에 이 두 줄이 있습니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
-# 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
+# 이 페이지의 시간은 가상이며, 몇몇 명령을 실행하는 동안에만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 # 준비하거나 그리기만 하는 셀은 첫 줄과 점 세 개만 보입니다. 다른 셀처럼 실행하면 됩니다. 점을 클릭하면 나머지 코드가 보입니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -62,7 +62,7 @@ from tflab.workbook import lesson
 # Run the cell below, then press ▶ under its picture. The drive takes 24 seconds, and the animation shows it in four.
 #
 # - The body with wheels and an arm is our robot. It drives round a pillar.
-# - The coloured dots are the points that its laser measures, ten times a second. The pale area is what it has covered. The dots are on the walls, although the laser measures only distances *from itself*. In curves they drift off the walls a little; chapter 08 explains why.
+# - The coloured dots are the points that its laser measures, ten times a second. The pale area is what it has covered. The dots are on the walls, although the laser measures only distances *from itself*. In curves they are a little off the walls. Chapter 08 explains why.
 # - The three arrows on the robot are the frame [[base_link]], and the three above them are `laser_frame`. The arrows that stay on the floor are `map`.
 #
 # This workbook is about one step. The laser measures a point in its own frame, and you calculate the point's position on the map.
@@ -73,7 +73,7 @@ from tflab.workbook import lesson
 # 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 24초 동안의 주행을 4초 만에 보여 줍니다.
 #
 # - 바퀴와 팔이 달린 몸체가 우리 로봇입니다. 로봇은 기둥 둘레를 돌며 달립니다.
-# - 색이 있는 점은 레이저가 1초에 열 번 재는 곳이고, 점과 로봇 사이의 옅은 면은 레이저가 훑은 자리입니다. 점들은 벽 위에 놓이지만, 레이저가 재는 것은 벽의 위치가 아니라 *레이저를 기준으로* 한 거리와 방향뿐입니다. 모퉁이를 돌 때는 점들이 벽에서 조금 벗어납니다. 그 까닭은 08장에서 다룹니다.
+# - 색이 있는 점은 레이저가 1초에 열 번 재는 곳이고, 점과 로봇 사이의 옅은 면은 레이저가 훑은 자리입니다. 점들은 벽 위에 놓이지만, 레이저가 재는 것은 벽의 위치가 아니라 *레이저를 기준으로* 한 거리와 방향뿐입니다. 로봇이 방향을 바꾸며 달릴 때는 점들이 벽에서 조금 벗어납니다. 그 까닭은 08장에서 다룹니다.
 # - 화살표 세 개가 좌표계 하나입니다. 로봇에 붙은 것이 [[base_link|`base_link`]], 그 위의 것이 `laser_frame`, 바닥에 가만히 있는 것이 `map`입니다.
 #
 # 이 워크북은 *레이저 기준*의 값을 *지도 기준*으로 바꾸는 법을 다룹니다.
@@ -124,7 +124,7 @@ lesson.draw_room(at_s=5.0)
 # 레이저는 로봇의 중심에서 앞으로 0.20 m, 위로 0.15 m 떨어져 있고 로봇과 같은 방향을 봅니다. 레이저가 (2.0, 0.5, 0.0)에서 기둥을 측정했습니다. 레이저에서 앞으로 2 m, 왼쪽으로 0.5 m입니다.
 # 로봇의 중심인 `base_link`를 기준으로 기둥은 어디에 있을까요?
 #
-# 아래에는 흔한 답 하나가 적혀 있습니다. 셀을 실행하고 출력된 설명을 읽어 보세요. 그다음 숫자를 고쳐 다시 실행해 보세요.
+# 아래에는 흔한 오답 하나가 적혀 있습니다. 셀을 실행하고 출력된 설명을 읽어 보세요. 그다음 숫자를 고쳐 다시 실행해 보세요.
 
 # %% name="first-try" tags=["predicted"]
 base_p_post = (2.0, 0.5, 0.0)  # (x, y, z) [m]
@@ -144,7 +144,7 @@ lesson.ask_first(base_p_post)
 #
 # 앞에서 본 것은 그림일 뿐이었습니다. 이번에는 로봇의 프로그램, 곧 ROS 2 [[node|노드(node)]]들을 실제 로봇에서와 똑같이 실행합니다.
 # 어떤 노드는 바퀴의 회전에서 로봇의 이동을 계산하고, 어떤 노드는 지도에서 로봇의 위치를 추정하고, 또 어떤 노드는 부품이 로봇의 어디에 달려 있는지 알려 줍니다.
-# 노드마다 자기가 구한 값을 보내고, 그 값이 필요한 노드가 받습니다. 이렇게 보내는 것을 *발행*이라고 합니다. TF2는 이 값들을 하나로 연결합니다.
+# 한 좌표계의 위치와 방향을 다른 좌표계 기준으로 적은 것을 *변환*이라고 합니다. 노드마다 자기가 구한 변환을 보내고, 그 변환이 필요한 노드가 받습니다. 이렇게 보내는 것을 *발행*이라고 합니다. TF2는 변환들을 합성합니다.
 #
 # `new_graph`는 노드가 실행될 가상의 ROS 2 환경을 만들고, `launch`는 노드들을 실행하고, `graph.run`은 시간이 2초 흐르게 합니다. (실제 로봇에서는 환경이 이미 있고 시간도 저절로 흐르므로 첫 번째와 세 번째가 필요 없습니다.)
 
@@ -156,21 +156,21 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="en" name="echo-why" slide="slide"
 # ## Where is the laser in `map`?
 #
-# Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. In the command, the frame in which you want the data comes first.
+# Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. The tool `tf2_echo` looks this up once a second and prints it. In the command, the frame in which you want the data comes first.
 # `%ros2` is what you type as `ros2` in a terminal. Only `--for 2` belongs to this workbook: it ends the command after two seconds. On a robot, leave it out and press Ctrl-C.
 # The first line of its output is not an error. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
 #
-# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 명령에는 결과의 기준이 될 좌표계(목표)를 먼저 씁니다.
+# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” `tf2_echo`는 이것을 1초에 한 번씩 조회해 출력하는 도구입니다. 명령에는 결과의 기준이 될 좌표계(목표)를 먼저 씁니다.
 # `%ros2`는 터미널에서 입력하는 `ros2`와 같습니다. 다만 `--for 2`는 이 워크북에만 있는 옵션으로, 명령을 2초 뒤에 끝냅니다. 로봇에서는 이 옵션을 빼고 Ctrl-C로 끝냅니다.
 
 # %% name="echo"
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-read" slide="-"
-# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways (the last column of the matrix is the translation); chapter 02 explains them.
+# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways (the last column of the matrix is the translation). Chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
 # 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 회전을 네 가지 방식으로 적은 것입니다(행렬의 마지막 열은 이동입니다). 02장에서 다룹니다.
@@ -213,7 +213,7 @@ graph.stop()
 # %% [markdown] lang="en" name="progress-why" slide="skip"
 # ## Where you stand
 #
-# Run the next cell whenever you like, or type `tflab progress` in a terminal.
+# Run the next cell whenever you like, or type `tflab progress` in a terminal. It shows your tasks, and a checklist of what you have done.
 # A task counts as passed after a successful check. The results are in the file `progress.json` in your copy.
 # After a chapter, [practice](91_practice.ipynb) gives you its tasks again with other numbers.
 # After you have installed a new version of tflab, `tflab lab --update` adds its new material and keeps what you wrote.
@@ -221,7 +221,7 @@ graph.stop()
 # %% [markdown] lang="ko" name="progress-why" slide="skip"
 # ## 나의 학습 현황
 #
-# 언제든지 다음 셀을 실행하거나, 터미널에서 `tflab progress`를 입력해 보세요.
+# 언제든지 다음 셀을 실행하거나, 터미널에서 `tflab progress`를 입력해 보세요. 통과한 과제와 실습 체크리스트가 나옵니다.
 # `check`를 통과한 과제만 통과한 것으로 표시됩니다. 결과는 내 워크북의 `progress.json`에만 저장됩니다.
 # 한 장을 마쳤다면 [끝없는 연습](91_practice.ipynb)에서 같은 과제를 다른 숫자로 다시 풀어 보세요. 틀렸던 것이 먼저 나옵니다.
 # tflab의 새 버전을 설치한 뒤 `tflab lab --update`를 실행하면 새 내용이 더해집니다. 직접 쓴 내용은 그대로 남습니다.
@@ -233,7 +233,7 @@ lesson.show_progress()
 # ## The chapters
 #
 # Each chapter begins with a fault that somebody reported. Its core takes three quarters of an hour at most, and ends with the heading *Enough to go on*.
-# What follows is for the curious. It is collapsed to its headings; click on *cells hidden* below a heading to open it. The minutes in the table are for the core: to read, to predict and to run it.
+# What follows is for the curious. It is collapsed to its headings. Click on *cells hidden* below a heading to open it. The minutes in the table are for the core: to read, to predict and to run it.
 #
 # **If you have one evening,** read 00, 01, 03 and 08, in this order and without the exercises. They are the core path: what a position needs, in which frame you want it, and where the robot was when it measured.
 #
@@ -288,7 +288,7 @@ lesson.show_progress()
 # 하룻저녁 코스는 125분입니다.
 
 # %% [markdown] lang="en" name="map-why" slide="-"
-# An arrow means *builds on*. An arrow that follows from others is left out.
+# An arrow points from a chapter to one that builds on it. An arrow that follows from others is left out.
 
 # %% [markdown] lang="ko" name="map-why" slide="-"
 # 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 화살표들을 따라가면 알 수 있는 화살표는 그리지 않았습니다. *그림 읽기:* 영어 제목은 표에 있는 같은 번호의 장 제목입니다.

@@ -44,7 +44,7 @@ from tflab.workbook import lesson
 #
 # There was no error and no warning.
 # The program kept mapping from the wrong position and produced a second copy of the building, five metres off (SteveMacenski/slam_toolbox, 2026).
-# One question would have prevented it: *what are these coordinates in `map`?* TF answers that question.
+# One question would have prevented it: *what are these coordinates in `map`?* TF2, TF for short, answers that question.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 클릭 한 번에 지도가 두 장
@@ -56,7 +56,7 @@ from tflab.workbook import lesson
 #
 # 오류도 경고도 나오지 않았습니다.
 # 프로그램은 5미터 어긋난 자리에서 지도를 계속 그렸고, 같은 건물의 지도가 두 장 생겼습니다(SteveMacenski/slam_toolbox, 2026년).
-# 필요한 질문은 하나였습니다. *이 위치를 `map` 기준으로 나타내면 얼마인가?* TF가 이 질문에 답합니다.
+# 필요한 질문은 하나였습니다. *이 위치를 `map` 기준으로 나타내면 얼마인가?* TF2(줄여서 TF)가 이 질문에 답합니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). A similar bug on the sending side: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
@@ -143,14 +143,14 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --frame-id base_link --child-frame-id laser_frame
 
 # %% [markdown] lang="en" name="listen-why" slide="-"
-# The next cell is what you would write on a robot. Only `graph.run` belongs to this workbook: it lets simulated time pass.
+# The next cell is what you would write on a robot. Only `graph.run` belongs to this workbook: it lets simulated time pass. (`%load_ext tflab` created `graph`.)
 #
 # - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that takes part in ROS 2.
 # - The [[buffer]] stores transforms.
 # - The [[listener]] receives transforms and fills the buffer. With `spin_thread=True` it does so in the background.
 
 # %% [markdown] lang="ko" name="listen-why" slide="-"
-# 다음 셀은 실제 로봇에서도 똑같이 쓰는 코드입니다. `graph.run`만 이 워크북의 것으로, 가상의 시간을 흐르게 합니다.
+# 다음 셀은 실제 로봇에서도 똑같이 쓰는 코드입니다. `graph.run`만 이 워크북의 것으로, 가상의 시간을 흐르게 합니다(`graph`는 `%load_ext tflab`이 만들어 두었습니다).
 #
 # - `rclpy`는 파이썬용 ROS 2 라이브러리이고, [[node|노드(node)]]는 ROS 2에 참가하는 프로그램입니다.
 # - [[buffer|버퍼(buffer)]]는 변환을 저장합니다.
@@ -279,7 +279,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="en" name="one-place-seen"
 # Each row shows the same scene from above. It draws the distance along that frame's x, then along its y.
-# All three sets of coordinates are right. Which one you need depends on the task: a gripper needs `base_link`, a planner needs `map`.
+# All three sets of coordinates are right. Which one you need depends on the task: a gripper, the robot's hand, needs `base_link`. A path planner needs `map`.
 
 # %% [markdown] lang="ko" name="one-place-seen"
 # *그림 읽기:* 같은 장면을 위에서 본 그림이 좌표계마다 한 줄씩 있습니다. 줄마다 그 좌표계의 x 방향 거리를 먼저, 그다음 y 방향 거리를 그렸습니다.
@@ -372,6 +372,8 @@ for t, pose in poses_at.items():
 # %% [markdown] lang="en" name="ball-and-cup-seen" tags=["predicted"]
 # The ball did not move, and its coordinates in `base_link` change. The cup moves with the robot, and its coordinates in `base_link` stay the same.
 # "It is at rest, so its coordinates stay the same" is true only in frames in which it is at rest.
+#
+# The next figure shows the same three times.
 
 # %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 로봇과 함께 달리는데도 `base_link` 기준 숫자는 그대로입니다.
@@ -386,13 +388,13 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # ### The same in 3D
 #
-# Run the cell, drag to rotate the view, and move the slider below to let the robot drive.
+# Run the next two cells, drag to rotate the view, and move the slider below it to let the robot drive.
 # The arrow goes from the robot to the ball. Its label shows the ball's coordinates in `base_link`. The cup moves with the robot.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # ### 3D로 보기
 #
-# 셀을 실행하고 마우스로 끌어 시점을 돌려 보세요. 아래 슬라이더를 움직이면 로봇이 달립니다.
+# 다음 두 셀을 실행하고 마우스로 끌어 시점을 돌려 보세요. 아래 슬라이더를 움직이면 로봇이 달립니다.
 # 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. 컵은 로봇에 실려 함께 갑니다. *그림 읽기:* ball = 공, cup = 컵.
 
 # %% name="in-3d-scene" tags=["collapsed"] slide="skip"
@@ -601,16 +603,16 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + 3_000_000_000), '
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
 #
-# > Forget the frame, and TF2 raises an exception. Forget the stamp, and it does not.
+# The next cells transform four messages, each with one mistake. Before you run each of them, predict: does TF2 raise an exception?
 #
-# The next cells transform four messages, each with one mistake. (`%xmode Minimal` shows only the last line of an error, the one to read.)
+# (`%xmode Minimal` shows only the last line of an error, the one to read.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
 #
-# > 좌표계를 빠뜨리면 TF2가 오류를 냅니다. 측정 시각을 빠뜨리면 아무 오류도 나지 않습니다.
+# 한 곳씩 망가뜨린 메시지 네 개를 차례로 변환합니다. 셀을 실행하기 전에 오류가 날지 예측해 보세요.
 #
-# 한 곳씩 망가뜨린 메시지 네 개를 차례로 변환합니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
+# (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
 
 # %% name="errors-in-one-line" slide="skip"
 # %xmode Minimal
@@ -650,9 +652,13 @@ for frame in ('base_link', 'map'):
 
 # %% [markdown] lang="en" name="no-stamp-seen" tags=["predicted"]
 # TF2 reports nothing, and the ball has moved forward with the robot. In `base_link` nothing changed: between the camera and the robot there is only a mount, and a mount is the same at all times.
+#
+# > Forget the frame, and TF2 raises an exception. Forget the stamp, and it does not.
 
 # %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
 # 오류도 경고도 없고, 공은 로봇과 함께 앞으로 나아갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
+#
+# > 좌표계를 빠뜨리면 TF2가 오류를 냅니다. 측정 시각을 빠뜨리면 아무 오류도 나지 않습니다.
 
 # %% [markdown] lang="en" name="wrong-label-why"
 # Last, overwrite the frame name, as the marker detector of the story did:
@@ -924,7 +930,7 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 # You can now name the three parts of a measurement, express one position in several frames, calculate the age of a message, and reject incomplete data.
 # **Now the exercise:** [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb). The next chapter is [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward? On the path for one evening, go on with [03 Target and source](03_target_and_source.ipynb).
 #
-# The sections below are for practice, and for those who want to see more. Open a heading to see what it holds.
+# The sections below are optional: a panel in which you move the robot, a message with two blanks, practice question Q1, and a note for those who know the lecture.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
@@ -932,7 +938,7 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 # 이제 측정값에 꼭 필요한 세 가지를 말하고, 한 위치를 여러 좌표계 기준으로 나타내고, 메시지의 나이를 계산하고, 빠진 것이 있는 데이터를 거절할 수 있습니다.
 # **이제 연습 문제를 풀어 보세요:** [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb). 다음 장은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 축이 앞이고, 회전은 어떻게 적을까요? 하룻저녁 코스라면 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다.
 #
-# 아래는 더 연습하거나 더 알고 싶을 때 보는 내용입니다. 필요한 제목을 펼쳐 보세요.
+# 아래는 더 연습하거나 더 알고 싶을 때 보는 절입니다. 로봇을 움직여 보는 패널, 빈칸이 두 개 있는 메시지, 서술형 문제 Q1, 강의를 들은 사람을 위한 설명이 있습니다.
 
 # %% [markdown] lang="en" name="rulers" slide="slide"
 # ## Move the robot: whose coordinates change?

@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - **Part 1, axes:** point along x, y and z of any robot, and say the sign of a rotation before the robot moves,
-# - **Part 2, quaternions:** write the quaternion of a rotation, and tell a good one from four kinds of bad ones,
+# - **Part 2, quaternions:** write the quaternion of a rotation, and recognise two wrong ones: zeros, and w first,
 # - **Part 3, the camera:** convert a point or a pixel from a camera's optical frame to the robot, and name the one line to change if a point cloud is rotated by 90°.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -17,8 +17,8 @@
 # 이 장을 마치면
 #
 # - **1부, 좌표축:** 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 회전각의 부호를 말할 수 있습니다.
-# - **2부, 쿼터니언:** 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
-# - **3부, 카메라:** 카메라 광학 좌표계(optical frame) 기준의 점이나 픽셀을 로봇 기준으로 바꾸고, 90° 누워 있는 포인트 클라우드를 보고 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
+# - **2부, 쿼터니언:** 회전을 쿼터니언으로 쓰고, 잘못된 쿼터니언 두 가지(모두 0인 것, w를 맨 앞에 쓴 것)를 알아볼 수 있습니다.
+# - **3부, 카메라:** 카메라 광학 좌표계(optical frame) 기준의 점이나 픽셀을 로봇 기준으로 바꾸고, 90° 회전해 있는 포인트 클라우드를 보고 고쳐야 할 단 한 줄을 짚어 낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask everyone to stand up and point forward, left, up: x, y, z. Then ask them to imagine they are a camera and do it again.
@@ -39,7 +39,7 @@
 # - Our robot has a camera: `camera_link` is at (0.10, 0, 0.30) in `base_link`, 10 cm ahead and 30 cm up.
 #
 # In code, a name contains both frames: `base_T_camera.apply(camera_p_mug)` transforms a point from the camera into the base. `@` chains two transforms. Chapter 03 explains both.
-# Whatever is called `lesson.…` belongs to this workbook: it draws, and formats numbers (`fmt_all`).
+# What is called `lesson.…` belongs to this workbook. It draws, and formats numbers (`fmt_all`).
 
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 시작하기 전에 알아 둘 것
@@ -48,7 +48,7 @@
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다. 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
 # - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있고 어느 방향을 향하는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
-# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 시각화 도구입니다.
+# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 ROS 2의 3D 시각화 도구입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
 # 코드에서는 이름에 두 좌표계를 모두 적습니다. `base_T_camera.apply(camera_p_mug)`는 카메라 기준의 점을 base 기준으로 바꾸고, `@`는 변환 둘을 합성합니다. 둘 다 03장에서 자세히 다룹니다.
@@ -94,7 +94,7 @@ from tflab.workbook import lesson
 # Draw where the part is, and where the arm goes.
 base_T_camera = Transform((0.10, 0.0, 0.30))
 base_T_optical = base_T_camera @ lesson.BODY_T_OPTICAL
-detected = (0.25, 0.15, 1.2)  # what the detector said [m]
+detected = (0.25, 0.15, 1.2)  # what the detector reported [m]
 lesson.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera},
     points={"the part": base_T_optical.apply(detected)},
@@ -164,7 +164,7 @@ lesson.draw_body_axes()
 # The thumb of the right hand shows the axis, and the fingers curl in the **positive** direction.
 #
 # **Predict.** You send a robot a message with a velocity: `linear.x = 0.5` (half a metre per second forward) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
-# Pitch is the rotation about y. With a *positive* pitch, does the robot's nose go up or down?
+# The rotations about x, y and z are called roll, pitch and yaw. With a *positive* pitch, does the robot's nose go up or down?
 
 # %% [markdown] lang="ko" name="signs-predict" slide="slide"
 # ### 움직이기 전에 부호를 말해 봅시다
@@ -172,7 +172,7 @@ lesson.draw_body_axes()
 # 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 <b>양(+)</b>의 회전입니다.
 #
 # **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 0.5 m/s)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 회전할까요, 오른쪽으로 회전할까요?
-# y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 로봇의 앞머리(기수)는 올라갈까요, 내려갈까요?
+# x, y, z축을 중심으로 하는 회전을 차례로 roll, pitch, yaw라고 합니다. pitch가 *양수*이면 로봇의 앞머리(기수)는 올라갈까요, 내려갈까요?
 
 # %% name="signs-drive" tags=["predicted", "collapsed"] slide="fragment"
 # Draw three drives.
@@ -252,7 +252,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # `Transform.from_rpy(r, p, y)` is always `yaw @ pitch @ roll`.
 
 # %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
-# *그림 읽기:* first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
+# *그림 읽기:* start = 시작, first roll, then yaw = 먼저 roll, 다음 yaw.
 #
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다. 순서가 중요합니다.
 #
@@ -272,6 +272,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # %% [markdown] lang="ko" name="rpy-move" slide="skip"
 # 이제 슬라이더를 한 번에 하나만 움직여 봅시다. 움직이기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
 # 패널은 같은 회전을 *quaternion*(2부)과 *matrix*(3부)로도 적어 보여 줍니다. 지금은 어떻게 바뀌는지만 보십시오.
+# *그림 읽기:* grey: fixed axes = 회색은 고정된 축.
 
 # %% name="rpy-panel" tags=["interactive", "collapsed"] slide="subslide"
 # Show the panel.
@@ -321,7 +322,7 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 # %% [markdown] lang="en" name="recipe" slide="slide"
 # ## Part 2 · Quaternions: four numbers for a rotation
 #
-# ROS **stores and sends** a rotation as a [[quaternion]]: four numbers (x, y, z, w), of length one. Three angles jump in some orientations (see the section on gimbal lock); a quaternion never does. Angles are for people: URDF files contain them, and tools print them.
+# ROS **stores and sends** a rotation as a [[quaternion]]: four numbers (x, y, z, w), of length one. Three angles jump in some orientations (the optional section on gimbal lock shows it). A quaternion never does. Angles are for people: URDF files contain them, and tools print them.
 #
 # To rotate by an angle *a* about an axis (a direction of length one), use **half** the angle:
 #
@@ -337,7 +338,7 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 # %% [markdown] lang="ko" name="recipe" slide="slide"
 # ## 2부 · 쿼터니언: 숫자 네 개로 적는 회전
 #
-# ROS는 회전을 [[quaternion|쿼터니언(quaternion, 사원수)]]으로 **저장하고 전송합니다**. 길이가 1인 숫자 네 개 (x, y, z, w)입니다. 세 각도는 특정한 방향에서 갑자기 튀지만(아래 짐벌 락 절), 쿼터니언은 어디에서도 튀지 않습니다. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
+# ROS는 회전을 [[quaternion|쿼터니언(quaternion, 사원수)]]으로 **저장하고 전송합니다**. 길이가 1인 숫자 네 개 (x, y, z, w)입니다. 세 각도는 특정한 방향에서 갑자기 튀지만(뒤의 짐벌 락 절에서 다룹니다), 쿼터니언은 어디에서도 튀지 않습니다. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 #
 # 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 회전하려면 각도의 **절반**을 씁니다.
 #
@@ -375,7 +376,7 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # | (1, 0, 0, 0) | a rotation by 180° about x: the robot is on its back |
 #
 # The last line is what "no rotation" looks like if a program writes **w first**.
-# Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
+# Eigen's constructor (C++), the simulator MuJoCo and many papers do. ROS, RViz and SciPy write w last.
 
 # %% [markdown] lang="ko" name="four-facts" slide="slide"
 # ### 반나절씩 아껴 주는 네 가지 사실
@@ -388,13 +389,13 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # | (1, 0, 0, 0) | x축으로 180°: 로봇이 뒤집혀 누워 있습니다 |
 #
 # 마지막 줄은 **w를 맨 앞에** 쓰는 프로그램이 보낸 “회전 없음”을 (x, y, z, w)로 읽은 것입니다.
-# Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
+# Eigen(C++ 라이브러리)의 생성자, 시뮬레이터 MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
 
 # %% [markdown] lang="en" name="four-facts-notes" slide="notes"
-# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns below, in the configuration file of the second camera.
+# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns after the core, in "Let TF do the arithmetic, and break it with zeros".
 
 # %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
-# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. ‘모두 0인 쿼터니언’에서 다시 나옵니다.
+# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. 핵심 뒤의 “TF에 계산을 맡기고, 0으로 고장 내기”에서 다시 나옵니다.
 
 # %% [markdown] lang="en" name="w-first" slide="subslide"
 # Now MuJoCo sends a rotation by 20° to the left. **Predict** what the robot does if the four numbers are read as (x, y, z, w).
@@ -412,7 +413,7 @@ for name, q in (("taken as it came", (w, x, y, z)), ("put in order", (x, y, z, w
 # %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
 # Roll 160°: upside down, wheels in the air.
 # So if a robot is upside down in RViz, check first whether the quaternion was written with w first.
-# Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
+# Convert once, where the data enters your program, in a function whose name states the order: `xyzw_from_wxyz`.
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 로봇이 뒤집혀 바퀴가 하늘을 향합니다.
@@ -524,7 +525,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 목표와 원본을 구별하는 방법은 03장에서 배웁니다.
+# 회전은 맞지만 거꾸로 썼습니다. 광학 좌표계 기준의 값을 본체 기준으로 바꿀 때 쓰는 회전입니다. 이 실수를 막아 주는 문장을 03장에서 배웁니다.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
@@ -550,7 +551,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="ko" name="optical" slide="slide"
 # ### 광학 좌표계: z는 앞, x는 오른쪽, y는 아래
 #
-# 영상을 다루는 사람들은 공간에서도 픽셀의 방향을 지킵니다. x가 **오른쪽**, y가 **아래**이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
+# 컴퓨터 비전에서는 공간에서도 픽셀의 방향을 그대로 씁니다. x가 **오른쪽**, y가 **아래**이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
 # ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
 # 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 살펴보세요.
@@ -608,7 +609,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
 # 이 세 줄이 회전 행렬(1부 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
 #
-# 따라서 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
+# 따라서 광학 좌표계 기준으로 (오른쪽, 아래, 앞)인 점은 카메라 본체 기준으로 (앞, −오른쪽, −아래)입니다.
 
 # %% [markdown] lang="en" name="worked" slide="subslide"
 # ### Worked example: from a detection to the robot
@@ -676,7 +677,8 @@ info = CameraInfo(k=[525.0, 0.0, 320.0, 0.0, 525.0, 240.0, 0.0, 0.0, 1.0])
 fx, cx, fy, cy = info.k[0], info.k[2], info.k[4], info.k[5]
 u, v = 460.0, 170.0
 optical_ray = ((u - cx) / fx, (v - cy) / fy, 1.0)
-base_ray = Transform(rotation=base_T_optical.rotation).apply(optical_ray)  # no translation
+# base_T_optical is base_T_camera @ camera_T_optical; a direction needs its rotation only
+base_ray = Transform(rotation=base_T_optical.rotation).apply(optical_ray)
 print("ray in the optical frame:", lesson.fmt_all(optical_ray, ""))
 print("ray in base_link:        ", lesson.fmt_all(base_ray, ""))
 
@@ -768,7 +770,7 @@ lesson.draw_scene(
 # - `camera_link`는 카메라가 **장착된** 자리입니다. 기구 설계와 URDF, 자로 잰 치수는 이 좌표계를 따르며, 로봇의 다른 부분처럼 x가 앞입니다.
 # - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 광선, 깊이 포인트 클라우드가 여기에 속합니다.
 #
-# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 손으로 바꿀 필요가 없습니다. TF가 바꿉니다.
+# 드라이버는 데이터의 헤더에 **광학 좌표계**를 적습니다. 그러면 어느 노드도 직접 바꿀 필요가 없습니다. TF가 바꿉니다.
 
 # %% [markdown] lang="en" name="why-two-notes" slide="notes"
 # Before this slide, ask: you write the driver, what do you put into the header? Count the hands for each frame.
@@ -788,7 +790,7 @@ lesson.draw_scene(
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ### 계산에서 ROS 2로
 #
-# 로봇에서는 변환을 TF가 합성합니다. [[node|노드]]는 이름을 가지고 ROS 2 통신에 참여하는 프로그램이고, [[broadcaster|변환 발행기]]는 *카메라는 여기 있다*처럼 변환을 발행하는 노드 안의 객체입니다.
+# 로봇에서는 변환을 TF가 합성합니다. [[node|노드]]는 이름을 가지고 ROS 2 통신에 참여하는 프로그램이고, [[broadcaster|변환 발행기]]는 노드 안에서 카메라의 장착 변환 같은 변환을 발행하는 객체입니다.
 # `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 로봇에서는 터미널에 입력합니다.
 #
 # 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 같은 자리에 광학 좌표계를 둡니다.
@@ -868,7 +870,7 @@ lesson.draw_misread(
 
 # %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
 # The wall is above the robot like a ceiling, and the floor stands upright at its left.
-# TF raised nothing: it transformed points from `camera_link` into `base_link`, as the header asked.
+# TF raised nothing: it transformed points from `camera_link` into `base_link`, as the header specifies.
 # A planner that looks for obstacles ahead of the robot finds none, and drives into the wall that its own camera sees.
 #
 # The fix is **one word in the header**, not mathematics in your node. Find it, change it, look again.
@@ -970,13 +972,13 @@ lesson.draw_misread(
 # %% [markdown] lang="en" name="robot" slide="slide"
 # ## The same on a real robot
 #
-# All commands above are what you type in a terminal, without the `%`. Check the rotation:
-# (`--for 1` belongs to this page: it stops the tool after one second. In a terminal you press Ctrl-C.)
+# All commands above are what you type in a terminal, without the `%`. The next one checks the rotation.
+# (`--for 1` belongs to this page. In a terminal you press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 위의 명령은 모두 `%`만 빼면 터미널에 입력하는 그대로입니다. 회전은 눈으로 직접 확인하십시오.
+# 위의 명령은 모두 `%`만 빼면 터미널에 입력하는 그대로입니다. 다음 명령으로 회전을 직접 확인하십시오.
 # (`--for 1`은 이 페이지에만 있는 것으로, 1초 뒤에 도구를 멈춥니다. 터미널에서는 Ctrl-C로 멈춥니다.)
 
 # %% name="robot-echo"
@@ -1002,7 +1004,7 @@ lesson.draw_misread(
 # </joint>
 # ```
 #
-# Write π/2 with 16 digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`; in the exercise you calculate what that costs at 10 m.
+# Write π/2 with 16 decimals (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`; in the exercise you calculate what that costs at 10 m.
 
 # %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
 # `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문입니다. 정상입니다.
@@ -1036,19 +1038,19 @@ lesson.draw_misread(
 # - A pixel is a ray in the optical frame: x/z = (u − cx)/fx, y/z = (v − cy)/fy.
 # - If data is rotated by 90°, change the frame name or the mount, never the data.
 #
-# Save the card (Shift and a right click) and print it.
+# The card below sums this up. Save it (Shift and a right click) and print it.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 본체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞.
+# - 본체 좌표계: x 앞, y 왼쪽, z 위. 광학 좌표계: x 오른쪽, y 아래, z 앞.
 # - yaw가 양수이면 왼쪽으로 회전하고, pitch가 양수이면 기수가 내려가고, roll이 양수이면 왼쪽이 올라갑니다.
 # - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어갑니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아닙니다.
-# - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
+# - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터의 헤더에는 광학 좌표계를 적습니다.
 # - 픽셀은 광학 좌표계의 광선입니다. x/z = (u − cx)/fx, y/z = (v − cy)/fy.
-# - 90° 회전해 있다면 헤더나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
+# - 데이터가 90° 회전해 있다면 헤더의 좌표계 이름이나 장착 변환을 고치고, 숫자는 절대 고치지 않습니다.
 #
-# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
+# 아래 카드에 모두 적혀 있습니다. 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
 
 # %% name="recap-card" tags=["collapsed"] slide="subslide"
 # Draw the card.
@@ -1077,8 +1079,8 @@ lesson.draw_card()
 #
 # You can now name the axes of a body and of a camera, write a rotation as a quaternion, and find the wrong frame in a header.
 #
-# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` names the mistake in a wrong answer.
-# On your checklist this chapter is **C1** (the directions of x, y and z in REP-103). Task E2.1 ticks it.
+# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb).
+# Task E2.1 ticks the first line of the checklist that `tflab progress` shows. For task E2.4, read "More on quaternions" below.
 #
 # The sections below are for the curious, for reference and for practice.
 
@@ -1087,8 +1089,8 @@ lesson.draw_card()
 #
 # 이제 본체와 카메라의 축을 말하고, 회전을 쿼터니언으로 쓰고, 좌표계가 잘못 적힌 헤더를 찾아낼 수 있습니다.
 #
-# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`는 틀린 답에서 *어떤* 실수를 했는지 알려 줍니다.
-# 실습 체크리스트에서 이 장은 **C1**(REP-103의 x·y·z 방향)입니다. E2.1 과제를 통과하면 채워집니다.
+# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다.
+# E2.1 과제를 통과하면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 첫 줄이 채워집니다. E2.4 과제에는 쿼터니언의 길이와 NaN도 나오는데, 아래 “쿼터니언 더 보기” 절에서 다룹니다.
 #
 # 아래 절들은 더 알고 싶을 때, 찾아볼 때, 더 연습할 때를 위한 것입니다.
 
@@ -1224,7 +1226,7 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # 버퍼의 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
-import tf2_geometry_msgs  # teaches buffer.transform() about points
+import tf2_geometry_msgs  # lets buffer.transform() accept a PointStamped
 from tf2_ros import Buffer, TransformListener
 
 rclpy.try_shutdown()  # so that this cell can be run again
@@ -1258,7 +1260,7 @@ print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 # 다음은 클라우드를 읽고 로봇 높이의 장애물을 찾는 경로 계획기입니다.
 
 # %% name="cloud-obstacles"
-import tf2_sensor_msgs  # teaches buffer.transform() about clouds
+import tf2_sensor_msgs  # lets buffer.transform() accept a PointCloud2
 
 
 def obstacles_ahead(frame_id):
@@ -1349,7 +1351,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
 # 1. **발행한 쪽**에는 아무 오류도 없었습니다.
-# 2. **수신기마다** 거절했다는 기록을 로그에 남겼고, 그 기록에는 `nan`이 나옵니다. 행렬을 만들려면 길이로 나누어야 하는데, 0/0은 “숫자가 아님(not a number)”입니다.
+# 2. **수신기마다** 거절했다는 기록을 로그에 남겼고, 그 기록에는 `nan`이 나옵니다. 행렬을 만들려면 길이의 제곱으로 나누어야 하는데, 0/0은 “숫자가 아님(not a number)”입니다.
 # 3. **여러분**은 좌표계가 *존재하지 않는다*는 메시지를 읽었습니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
 # 원인은 발행한 프로그램에 있는데, 오류는 조회한 프로그램에서 나옵니다.

@@ -13,11 +13,11 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 03 · 목표 좌표계와 원본 좌표계
 #
-# **어느 기준의 데이터를 어느 기준으로 바꿀까요?** · 약 35분 · 01, 02장을 바탕으로 합니다
+# **데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요?** · 약 35분 · 01, 02장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 기준에서 어느 기준으로 바뀌는지 말할 수 있습니다.
+# - 변환이 무엇을 나타내는지, 그리고 어느 기준의 데이터를 어느 기준으로 바꾸는지 말할 수 있습니다.
 # - 문장 하나를 `lookup_transform(target, source, time)` 호출로, 인자 순서를 짐작하지 않고 쓸 수 있습니다.
 # - 변환을 도미노처럼 이어 합성하고, 잘못된 합성은 보자마자 알아챌 수 있습니다.
 # - 회전이 있는 변환의 역변환을 구하고, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
@@ -77,7 +77,7 @@ from tflab.workbook import lesson
 # They were not the only ones.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
 # Three more people asked the same. ROS 2 brought `tf2_echo`, and the question came again in 2021 and in 2024.
-# Even the maintainer of a package that estimates the pose of many robots wrote about frequently confusing the two frames.
+# Even the maintainer of a widely used package for pose estimation wrote about frequently confusing the two frames.
 #
 # The strange part: the tool's numbers were right all along.
 # The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
@@ -85,14 +85,14 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## 10년 동안 “거꾸로”
 #
-# IMU(회전과 중력을 재는 센서)를 회전시켜 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
+# IMU(회전과 가속을 재는 센서)를 회전시켜 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 방향을 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
 # 나중에 팀은 IMU를 쓰는 프로그램에서 두 좌표계의 순서를 바꾸자고 제안했습니다. 관리자는 기준이 될 좌표계가 첫 인자이고, 그 프로그램은 이미 그렇게 쓰고 있다고 답했습니다.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
 # 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
 # 같은 질문이 세 번 더 올라왔습니다. ROS 2에서 `tf2_echo`로 바뀐 뒤에도 2021년에 한 번, 2024년에 또 한 번 올라왔습니다.
-# 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
+# 포즈를 추정하는 데 널리 쓰이는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았습니다.
 # 모두 <b>“A에서 B로 가는 변환”</b>을 물었는데, 이 말은 두 가지로 읽힙니다.
@@ -105,7 +105,7 @@ from tflab.workbook import lesson
 
 # %% name="two-readings" tags=["collapsed"] slide="subslide"
 # Draw both readings of the phrase.
-mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
+mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # rotated left, ahead, above
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
@@ -116,10 +116,10 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # The solution is a sentence with neither "from" nor "to". First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
-# *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
+# *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다), along the axes of = 이 좌표계의 축을 따라 잰 값.
 #
-# 읽기 1은 센서를 다는 사람의 말입니다. 로봇을 기준으로 레이저는 어디에 *달려* 있는가? 값은 (0.20, 0, 0.15)입니다.
-# 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 비교해 보세요.
+# 읽기 1은 센서를 다는 사람의 말입니다. 로봇을 기준으로 레이저는 어디에 *달려* 있는가? 로봇의 축을 따라 잰 값은 (0.20, 0, 0.15)입니다.
+# 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 레이저의 축을 따라 잰 값은 (0, 0.20, −0.15)입니다.
 # 둘 다 “base_link에서 laser_frame으로”라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
 # 해결책은 “…에서 …(으)로”라고 말하지 않는 문장 하나입니다. 먼저 예측하고 실행해 봅시다.
@@ -196,7 +196,7 @@ listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
 # %% name="the-corner" tags=["predicted"] slide="fragment"
-import tf2_geometry_msgs  # teaches buffer.transform() about points
+import tf2_geometry_msgs  # lets buffer.transform() accept a PointStamped
 from geometry_msgs.msg import PointStamped
 
 seen = PointStamped()
@@ -270,7 +270,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
 # ```
 #
-# The same seven numbers have a second use.
+# These seven numbers, three for the translation and four for the rotation, have a second use.
 # They take the coordinates of a point in the **child** and give the coordinates of the same point in the **parent**.
 # So the arrow that is usually drawn, parent → child, shows which frame is the parent. Data goes the other way, child → parent.
 #
@@ -337,11 +337,11 @@ print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to rotate the view, and move the slider to rotate the mount.
-# The purple beam runs from the laser to the corner. The grey, hatched frame is the inverse transform, and the grey beam ends where it would place the corner.
+# The purple beam runs from the laser to the corner. The grey, hatched frame is the inverse transform, and the grey beam ends where it would place the corner. The still figure shows that position as a grey circle, *swapped*.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 마우스로 끌어 시점을 돌려 보고, 아래 슬라이더를 움직여 레이저를 회전시켜 보세요.
-# 보라색 빔은 레이저에서 모서리까지입니다. 빗금 친 회색 좌표계는 역변환이고, 회색 빔의 끝은 역변환을 쓰면 모서리가 놓일 자리입니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀, in base_link; grid of 1 m = base_link 기준, 눈금 한 칸이 1미터.
+# 보라색 빔은 레이저에서 모서리까지입니다. 빗금 친 회색 좌표계는 역변환이고, 회색 빔의 끝은 역변환을 쓰면 모서리가 놓일 자리입니다. 정지 그림에서는 그 자리가 회색 원입니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀, in base_link; grid of 1 m = base_link 기준, 눈금 한 칸이 1미터.
 
 # %% name="in-3d-scene" tags=["interactive", "collapsed"]
 # Show the mount, the corner and the swapped answer in 3D.
@@ -1094,19 +1094,19 @@ rclpy.try_shutdown()
 # ## Enough to go on
 #
 # You can now turn a sentence into a lookup, chain and invert transforms, and read `tf2_echo` in both directions.
-# Practise that in [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb). Its tasks E3.1 and E3.5 tick one line of the checklist that `tflab progress` shows: *I ran `tf2_echo` with target and source in the right order.*
+# Practise that in [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb). Its tasks E3.1 and E3.5 tick one line of the checklist that `tflab progress` shows: *I have run tf2_echo with target and source in the right order.* For task E3.8, read "A point, a velocity, a pose" below.
 # The next chapter, [04 The tree of frames](04_frame_tree.ipynb), shows how the edges form a tree, and that tf2 does not check this.
 #
-# The sections below are for the curious. Each heading says what it holds. Open one when you need it.
+# The sections below are optional: velocities and poses, a call with blanks, two panels, two sensors, wrong frame names, and questions for practice.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
 #
 # 이제 문장을 조회로 바꾸고, 변환을 합성하고 역변환을 구하며, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
-# 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)에서 손에 익혀 보세요. 과제 E3.1과 E3.5를 통과하면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
+# 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)에서 손에 익혀 보세요. 과제 E3.1과 E3.5를 통과하면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 한 줄을 채웁니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.* E3.8 과제에 필요한 내용은 아래 “점, 속도, 포즈” 절에 있습니다.
 # 다음 장 [04 좌표계 트리](04_frame_tree.ipynb)에서는 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
 #
-# 아래는 더 알고 싶을 때 읽는 절입니다. 제목에 내용이 드러나 있으니 필요할 때 펼쳐 보세요.
+# 아래는 더 알고 싶을 때 읽는 절입니다. 속도와 포즈, 빈칸이 있는 호출, 패널 두 개, 센서 두 개 사이의 변환, 잘못된 좌표계 이름, 복습과 서술형 문제가 있습니다.
 
 # %% [markdown] lang="en" name="what-moves-heading" slide="slide"
 # ## A point, a velocity, a pose: which part of the transform applies?
@@ -1271,7 +1271,7 @@ if ... not in (wanted_in, expressed_in):
 # ## 패널: 문장, 호출, 행렬
 
 # %% [markdown] lang="en" name="the-sentence-panel-why"
-# You can choose the two frames in any of the forms below; the other forms show the same choice.
+# You can choose the two frames in any of the forms below. The other forms show the same choice.
 # On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
 # Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
@@ -1415,7 +1415,7 @@ lesson.draw_mount(math.pi / 2)
 # ## 없는 좌표계 이름, 앞에 붙은 슬래시
 
 # %% [markdown] lang="en" name="unknown-name-why"
-# An unknown frame name raises an exception. Its message tells you in which argument you used the name.
+# An unknown frame name raises an exception. Its message contains the argument in which you used the name.
 # (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
 # %% [markdown] lang="ko" name="unknown-name-why"
