@@ -195,7 +195,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="en" name="monitor-seen"
 # Line by line:
 #
-# - `Waiting for …`: the tool looks up the transform before it has received any. That is no fault of your robot; it has been reported as a bug more than once.
+# - `Waiting for …`: the tool looks up the transform before it has received any. It is no fault of your robot.
 # - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
 # - `avg = 0.0209299`: 19 % of 0.11, because the tool has taken 21 samples.
 # - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s before the tool received it, and is valid at all times. Its age means nothing.
@@ -206,7 +206,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="ko" name="monitor-seen"
 # 한 줄씩 읽습니다.
 #
-# - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
+# - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아닙니다.
 # - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착했을 때 이미 0.01초 전의 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
 # - `avg = 0.0209299`: 21번 측정했으므로 0.11의 19 %입니다.
 # - `laser_frame … 9.6`: [[static transform|정적 변환]]은 도구가 받기 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 이 나이는 지연이 아닙니다.
@@ -228,17 +228,17 @@ avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
 lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net delay')
 
 # %% [markdown] lang="en" name="monitor-average-seen"
-# `avg` is at 19 % of the true delay at the first report, at half after 34 s, and at 91 % after two minutes. (Engineers call this a low-pass filter.)
+# `avg` is 19 % of the true delay at first, half after 34 s, 91 % after two minutes.
 # So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, which give a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
 #
-# And if a path is sometimes missing, the tool cannot report that. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`. That is a clue, too.
+# And if a path is sometimes missing, the tool cannot report that. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 경로의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
-# `avg`는 첫 보고에서 실제 지연의 19 %, 34초가 지나면 절반, 2분이 지나면 91 %입니다(이런 계산을 저역 통과 필터라고 합니다).
+# `avg`는 첫 보고에서 실제 지연의 19 %, 34초가 지나면 절반, 2분이 지나면 91 %입니다.
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 주의할 것이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 정상처럼 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 미래의 시각을 적습니다.)
-# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 그것을 보고하지 못하고 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다. 이 출력도 단서가 됩니다.
+# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 그것을 보고하지 못하고 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -327,10 +327,10 @@ graph = lesson.start_robot(also=['ekf_filter_node'])
 # %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="two-owners-seen" tags=["predicted"]
-# **50.1 Hz where 20.2 is normal.** More messages than one node sends means more than one node. The picture has no names. `ros2 topic info /tf --verbose` lists the nodes that can be the second owner; chapter 12 finds out which of them it is.
+# **50.1 Hz where 20.2 is normal.** More messages than one node sends means more than one node. `ros2 topic info /tf --verbose` lists the nodes that can be the second owner; chapter 12 finds out which of them it is.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
-# **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다. 그림에 이름은 나오지 않습니다. 두 번째 발행자일 수 있는 노드는 `ros2 topic info /tf --verbose`로 알 수 있고, 그 가운데 어느 노드인지는 12장에서 찾습니다.
+# **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다. 두 번째 발행자일 수 있는 노드는 `ros2 topic info /tf --verbose`로 알 수 있고, 그 가운데 어느 노드인지는 12장에서 찾습니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
 # Vote with fingers, one for each 10 Hz: 20, 30 or 50 Hz? On a robot you would have the 50 alone, and no names beside it.
@@ -704,7 +704,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # | all Ok, alternating between two positions | two publishers | the edge's rate in `view_frames`; `topic info --verbose` |
 # | nothing at all: `No messages received` | no publisher, or an incompatible QoS: most lasers offer `BEST_EFFORT`, RViz requests `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
 #
-# The rows about some links, the same tree and two positions are shown in the section *More faults in RViz* at the end.
+# Rows 3, 4 and 7 are shown in *More faults in RViz* below.
 # "Not in RViz, so the sensor is broken" is in no row. Suspect the sensor last, and look at its messages first.
 
 # %% [markdown] lang="ko" name="symptoms" slide="slide"
@@ -721,7 +721,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 발행률, `topic info --verbose` |
 # | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음. 레이저는 대개 `BEST_EFFORT`로 보내는데 RViz는 `RELIABLE`을 요청합니다 | `topic info /scan --verbose`, RViz에서는 디스플레이의 Reliability Policy |
 #
-# 일부 링크, `not part of the same tree`, 두 곳을 오가는 고장은 끝부분의 *RViz의 다른 고장* 절에서 직접 볼 수 있습니다.
+# 셋째, 넷째, 일곱째 줄의 고장은 아래의 *RViz의 다른 고장* 절에서 볼 수 있습니다.
 # “RViz에 보이지 않으니 센서 고장”은 어느 줄에도 없습니다. 센서는 메시지를 확인한 다음 마지막에 의심합니다.
 
 # %% [markdown] lang="en" name="symptoms-notes" slide="notes"
@@ -911,7 +911,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # **Now the exercises:** [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb). In them, `solution("E11.1")` shows a solution after you have passed the task or tried three times.
 # After them comes [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb): which node owns an edge, and what is broken.
 #
-# The sections below are for the curious: three more faults in RViz, three questions from earlier chapters, and a practice question.
+# The sections below are for the curious: three more faults in RViz, and questions to practise.
 #
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
@@ -923,7 +923,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # **이제 연습 문제입니다.** [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀어 보세요. 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다.
 # 그다음은 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)입니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
 #
-# 아래는 더 알고 싶을 때 보는 절입니다. RViz의 다른 고장 세 가지, 앞 장 복습 문제, 서술형 문제가 있습니다.
+# 아래는 더 알고 싶을 때 보는 절입니다. RViz의 다른 고장 세 가지와 복습 문제, 서술형 문제가 있습니다.
 #
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
@@ -934,7 +934,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # ## RViz의 다른 고장: 관절 값 없음, 오도메트리 없음, 발행자 둘
 
 # %% [markdown] lang="en" name="break-joints-predict" slide="-"
-# There are three more faults. **Predict** each time: which displays fail? First, no node publishes the joint positions any more.
+# **Predict** for each of three more faults: which displays fail? First, no node publishes the joint positions any more.
 
 # %% [markdown] lang="ko" name="break-joints-predict" slide="-"
 # 고장이 세 가지 더 있습니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저 관절 값을 발행하는 노드가 없을 때입니다.

@@ -189,7 +189,7 @@ for name, (x, y) in places:
 # | rtabmap | `publish_tf` |
 
 # %% [markdown] lang="en" name="owner-table" slide="fragment"
-# These are six rows of the table for the robot above. Somebody has also mounted a gripper on it:
+# These are six rows of the table for the robot above. Somebody has also mounted a gripper on it. The rates are those that `view_frames` prints:
 #
 # |  | edge | owner | source | switch | rate |
 # |---|---|---|---|---|---|
@@ -201,7 +201,7 @@ for name, (x, y) in places:
 # | **! 0** | `base_link → gripper` | **nobody** | – | – | – |
 
 # %% [markdown] lang="ko" name="owner-table" slide="fragment"
-# 위의 로봇으로 만든 표의 여섯 줄입니다. 누군가 그리퍼도 하나 달았습니다.
+# 위 로봇의 발행 책임표 가운데 여섯 줄입니다. 누군가 그리퍼도 하나 달았습니다. 발행률은 `view_frames`에 나오는 값입니다.
 #
 # |  | 연결 | 발행자 | 데이터 | 스위치 | 발행률 |
 # |---|---|---|---|---|---|
