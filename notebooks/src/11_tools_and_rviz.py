@@ -64,12 +64,10 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # %% [markdown] lang="en" name="half-a-century-seen"
 # It is not slow: it is **51.7 years**. That is the current system time minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
 # And the average is not an average yet: it begins at 0 and moves by one hundredth of the remaining difference with each sample. The tool had taken 21 samples.
-# It was the right tool, and its output was misread.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
 # 느린 것이 아닙니다. 1.6318e+09초는 **51.7년**이고, 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값입니다. 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
 # 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해, 측정할 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 측정했습니다.
-# 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Six minutes, the title included. Give them a minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
@@ -130,7 +128,7 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # ## Ask first, then type
 #
 # A tool that cannot answer your question still prints something. So choose the question first.
-# Below, try seven tools on seven questions, on a driving robot. The output is that of the tools, slightly shortened. The line above the output states whether the tool answers the question.
+# Below, try seven tools on seven questions. The output is that of the tools, shortened. The line above the output states whether the tool answers the question.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
@@ -195,7 +193,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="en" name="monitor-seen"
 # Line by line:
 #
-# - `Waiting for …`: the tool looks up the transform before it has received any. It is no fault of your robot.
+# - `Waiting for …`: the tool looks up the transform before it has received any. Your robot is fine.
 # - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
 # - `avg = 0.0209299`: 19 % of 0.11, because the tool has taken 21 samples.
 # - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s before the tool received it, and is valid at all times. Its age means nothing.
@@ -468,13 +466,13 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
 #
-# [[rviz]] transforms each message **at its own stamp** into one frame, the [[fixed frame]], and draws it. What it cannot transform it leaves out, and reports it in its list: the [[display status]].
-# Choose another Fixed Frame in the menu, rotate the scene with the mouse, open a line of the list.
+# [[rviz]] transforms each message **at its own stamp** into one frame, the [[fixed frame]], and draws it. Each entry of its list is a *display* and draws one kind of data. What it cannot transform it leaves out, and reports in the list as the [[display status]].
+# Choose another Fixed Frame, rotate the scene with the mouse, open a line of the list.
 
 # %% [markdown] lang="ko" name="rviz" slide="slide"
 # ## RViz: 모든 데이터를 한 좌표계 기준으로
 #
-# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
+# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 목록의 항목 하나가 *디스플레이*이고, 디스플레이마다 한 종류의 데이터를 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
 # 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
 # %% name="rviz-robot" tags=["collapsed"] slide="skip"
@@ -496,7 +494,7 @@ lesson.draw_rviz(until_s=25.0)
 # 정지 그림까지 합해 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% [markdown] lang="en" name="rviz-seen"
-# The figure shows the robot from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). Below the picture is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
+# The figure shows the robot from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). Below it is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
 # **Question 4.** RViz calls `lookup_transform` with the Fixed Frame as target. Do the same for three Fixed Frames, and look up the robot's pose in `odom` each time:
 
