@@ -373,7 +373,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # A: 1.000, `At time 0.0`. The monitor's output looks wrong: a net delay of up to 12.5 s, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
-# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 경로의 지연은 최대 12.5초이고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상부터 알아 두어야 합니다.
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 경로의 지연은 최대 12.5초이고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상일 때의 출력부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
@@ -493,7 +493,7 @@ two_processes(20, 30)
 # 5. 메시지의 `frame_id`와 측정 시각, 그리고 시계를 봅니다.
 # 6. URDF, 발행 스위치, 두 번째 발행자를 확인합니다.
 #
-# 빠르고 대략적인 검사에서 오래 걸리고 세밀한 검사로 가는 순서이고, 끝까지 하면 원인을 찾습니다. 하지만 증상을 쓰지 않고 순서만 따르면 느립니다.
+# 빠르고 대략적인 검사부터 오래 걸리고 세밀한 검사까지의 순서이고, 끝까지 하면 원인을 찾습니다. 하지만 증상을 살피지 않고 순서만 따르면 오래 걸립니다.
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리의 발행률이 낮습니다**. 명령을 입력하기 전에 생각해 보세요. 용의자마다 결과가 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
@@ -739,8 +739,8 @@ visit.try_fix()
 # chronyc tracking                                   # 컴퓨터마다
 # ```
 #
-# 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
-# 진료실의 고장은 17가지이고, 실제 로봇에는 그 밖의 고장도 있습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
+# 어느 노드가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+# 진료실의 고장은 17가지이고, 실제 로봇에는 그 밖의 고장도 있습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요청하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
 # To photograph. Say the last line aloud: wheels off the ground, the emergency stop in your hand.
