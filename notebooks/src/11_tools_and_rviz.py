@@ -64,12 +64,10 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # %% [markdown] lang="en" name="half-a-century-seen"
 # It is not slow: it is **51.7 years**. That is the current system time minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
 # And the average is not an average yet: it begins at 0 and moves by one hundredth of the remaining difference with each sample. The tool had taken 21 samples.
-# It was the right tool, and its output was misread.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
 # 느린 것이 아닙니다. 1.6318e+09초는 **51.7년**이고, 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값입니다. 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
 # 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해, 측정할 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 측정했습니다.
-# 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Six minutes, the title included. Give them a minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
@@ -108,12 +106,13 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # ```
 # Net delay     avg = 0.0209299: max = 0.11
 # Frame: laser_frame, ... Average Delay: 9.6, Max Delay: 9.6
+#
 # average rate: 50.000
 # ```
 #
 # 1. 경로 `map ← laser_frame`의 지연은 얼마일까요? 0.021초, 0.11초, 9.6초 가운데 하나입니다.
 # 2. 바퀴 오도메트리 노드는 1초에 몇 번 발행할까요? 10번, 20번, 50번 가운데 하나입니다.
-# 3. 도면에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄에 오류가 나올까요?
+# 3. URDF에는 레이저가 `base_link`에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄에 오류가 나올까요?
 # 4. RViz의 고정 좌표계(Fixed Frame)를 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
@@ -128,8 +127,8 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # %% [markdown] lang="en" name="ask-first" slide="slide"
 # ## Ask first, then type
 #
-# A tool that cannot answer your question still prints something. So say the question first.
-# Below, try seven tools on seven questions, on a driving robot. The output is that of the tools, slightly shortened. The line above it states whether it answers the question.
+# A tool that cannot answer your question still prints something. So choose the question first.
+# Below, try seven tools on seven questions. The output is that of the tools, shortened. The line above the output states whether the tool answers the question.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
@@ -156,6 +155,8 @@ lesson.tools_panel().picture
 lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
+# In the figure, *delay* is how late a path is, *age* is how old a message is, and *look* is the picture in RViz.
+#
 # Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not show which of them publishes which edge.
 # The lecture uses `tf2_monitor` to find the broadcaster's name. The older tool `tf_monitor` of ROS 1 printed it. In ROS 2 every line of `tf2_monitor` has `<no authority available>`.
 
@@ -174,12 +175,12 @@ lesson.draw_toolbox()
 # %% [markdown] lang="en" name="monitor" slide="slide"
 # ## tf2_monitor: how late?
 #
-# The robot drives for nine seconds. Then the tool starts, and its first report comes after 10.5 s.
+# The robot drives for nine seconds. Then the tool starts. Its first report comes 10.5 s later.
 
 # %% [markdown] lang="ko" name="monitor" slide="slide"
 # ## tf2_monitor: 얼마나 늦을까요?
 #
-# 로봇이 9초 동안 달린 뒤에 도구를 실행합니다. 첫 보고는 10.5초 뒤에 나옵니다.
+# 로봇이 9초 동안 달린 다음에 도구를 실행합니다. 첫 보고는 실행하고 10.5초가 지나면 나옵니다.
 
 # %% name="monitor-robot" tags=["collapsed"] slide="skip"
 # Start the robot, and let it drive for nine seconds.
@@ -192,7 +193,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="en" name="monitor-seen"
 # Line by line:
 #
-# - `Waiting for …`: the tool looks up the transform before it has received any. That is no fault of your robot; it has been reported as a bug more than once.
+# - `Waiting for …`: the tool looks up the transform before it has received any. Your robot is fine.
 # - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
 # - `avg = 0.0209299`: 19 % of 0.11, because the tool has taken 21 samples.
 # - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s before the tool received it, and is valid at all times. Its age means nothing.
@@ -203,7 +204,7 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="ko" name="monitor-seen"
 # 한 줄씩 읽습니다.
 #
-# - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
+# - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아닙니다.
 # - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착했을 때 이미 0.01초 전의 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
 # - `avg = 0.0209299`: 21번 측정했으므로 0.11의 19 %입니다.
 # - `laser_frame … 9.6`: [[static transform|정적 변환]]은 도구가 받기 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 이 나이는 지연이 아닙니다.
@@ -225,7 +226,7 @@ avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
 lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net delay')
 
 # %% [markdown] lang="en" name="monitor-average-seen"
-# 19 % at the first report, half after 34 s, 91 % after two minutes. (This is a low-pass filter.)
+# `avg` is 19 % of the true delay at first, half after 34 s, 91 % after two minutes.
 # So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, which give a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
 #
 # And if a path is sometimes missing, the tool cannot report that. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
@@ -233,9 +234,9 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 경로의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
-# 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
+# `avg`는 첫 보고에서 실제 지연의 19 %, 34초가 지나면 절반, 2분이 지나면 91 %입니다.
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 주의할 것이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 정상처럼 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 미래의 시각을 적습니다.)
-# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 그것을 보고하지 못하고 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다. 이 출력도 단서가 됩니다.
+# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 그것을 보고하지 못하고 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -267,7 +268,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="rates-seen" slide="subslide"
-# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In the picture, each edge has its own `Average rate`:
+# The long line is the reply of a service (a call that a node answers), and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In the picture, each edge has its own `Average rate`:
 #
 # - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (`view_frames` divides n samples by the time from the first to the last. With n − 1 its 20.204 would be 20.0.)
 # - static edges have 10000.0, which is not a rate: tf2 divides the number of samples by at least 0.0001 s, and a static edge has one sample.
@@ -276,7 +277,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # It is a **[[snapshot]]** of five seconds. It probably misses what happens once a minute.
 
 # %% [markdown] lang="ko" name="rates-seen" slide="subslide"
-# 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
+# 긴 줄은 서비스 호출(노드에 보내는 요청)의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
 #
 # - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (도구는 표본의 수 n을 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1을 나누면 20.0입니다.)
 # - 정적 연결의 10000.0은 발행률이 아닙니다. tf2는 표본 수를 적어도 0.0001초로 나누는데, 정적 연결은 표본이 하나입니다.
@@ -311,7 +312,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # - 자식마다 발행하는 노드가 하나입니까? 이것은 그림으로 알 수 없습니다. 부모는 하나만 그려지고 발행자는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="subslide"
-# Still, it reveals two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
+# Still, the picture shows that there are two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
 
 # %% [markdown] lang="ko" name="two-owners" slide="subslide"
 # 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 발행합니다. 이 연결의 발행률은 얼마로 나올까요?
@@ -324,16 +325,16 @@ graph = lesson.start_robot(also=['ekf_filter_node'])
 # %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="two-owners-seen" tags=["predicted"]
-# **50.1 Hz where 20.2 is normal.** More messages than one node sends means more than one node. The picture has no names. `ros2 topic info /tf --verbose` lists the nodes that can be the second owner; chapter 12 finds out which of them it is.
+# **50.1 Hz where 20.2 is normal.** More messages than one node sends means more than one node. `ros2 topic info /tf --verbose` lists the nodes that can be the second owner; chapter 12 finds out which of them it is.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
-# **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다. 그림에 이름은 나오지 않습니다. 두 번째 발행자일 수 있는 노드는 `ros2 topic info /tf --verbose`로 알 수 있고, 그 가운데 어느 노드인지는 12장에서 찾습니다.
+# **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다. 두 번째 발행자일 수 있는 노드는 `ros2 topic info /tf --verbose`로 알 수 있고, 그 가운데 어느 노드인지는 12장에서 찾습니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
 # Vote with fingers, one for each 10 Hz: 20, 30 or 50 Hz? On a robot you would have the 50 alone, and no names beside it.
 
 # %% [markdown] lang="ko" name="two-owners-notes" slide="notes"
-# 손가락으로 답합니다. 1초에 스무 번, 서른 번, 쉰 번 가운데 무엇입니까? 로봇에서는 50만 보이고 이름은 없습니다.
+# 손가락 하나를 10 Hz로 하여 답하게 합니다. 20 Hz, 30 Hz, 50 Hz 가운데 무엇입니까? 로봇에서는 50만 보이고 이름은 없습니다.
 
 # %% [markdown] lang="en" name="echo" slide="slide"
 # ## tf2_echo: which value?
@@ -367,8 +368,8 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # **22.090 s**: the part after the point is a number of nanoseconds, printed without its leading zeros. With nine digits, the first one is the tenths of a second. With eight digits, it is the hundredths.
 # Two more facts about the tool:
 #
-# - for a static pair it prints `At time 0.0`: it is valid at all times;
-# - it *samples*. What goes wrong between two prints you do not see. Ask for a higher rate, `tf2_echo map base_link 20`, if something flickers.
+# - For two frames with only static edges between them it prints `At time 0.0`. Such a value is valid at all times.
+# - It *samples*. You do not see what goes wrong between two prints. If something flickers, choose a higher rate: `tf2_echo map base_link 20`.
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # **22.090초**입니다. 점 뒤는 나노초이고, 첫머리의 0은 출력되지 않습니다. 아홉 자리면 0.1초 자리부터, 여덟 자리면 0.01초 자리부터입니다.
@@ -409,12 +410,14 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
 # On a straight line at constant speed: **nothing**, at any rate. Between two samples the robot, too, moves evenly along the line.
-# In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
+# In a curve (*bend* in the table) TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
 #
-# What a slow edge can cost even on a straight line is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
+# What a slow edge can cost even on a straight line is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz it never waits for a sample. At 1 Hz it waits up to 0.9 s.
 # The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
+# (표에서 straight는 곧은 길, bend는 굽은 길, wait at most는 가장 긴 기다림입니다.)
+#
 # 곧은 길을 일정한 속도로 달리면 발행률이 얼마든 **조금도 틀리지 않습니다.** 두 표본 사이에서 로봇도 그 직선 위를 고르게 움직이기 때문입니다.
 # 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 로봇이 실제로 달린 선은 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
@@ -422,7 +425,7 @@ for f in (1, 2, 10, 20):
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="often-enough-try"
-# Try it: at which rate is the error below a millimetre, at 1 m/s and 1 rad/s? And which yaw rate gives no error at all?
+# Try it with the sliders: at which rate is the error (the *gap*) below a millimetre, at 1 m/s and 1 rad/s? And which yaw rate gives no error at all?
 #
 # <details><summary>Answers</summary>
 #
@@ -431,7 +434,7 @@ for f in (1, 2, 10, 20):
 # </details>
 
 # %% [markdown] lang="ko" name="often-enough-try"
-# 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 발행률은 얼마일까요? 틈이 아예 없으려면 yaw rate가 얼마여야 할까요?
+# 슬라이더를 직접 움직여 보세요. 1 m/s, 1 rad/s에서 틈이 1 mm보다 작아지는 발행률은 얼마일까요? 틈이 아예 없으려면 yaw rate가 얼마여야 할까요?
 #
 # <details><summary>답</summary>
 #
@@ -463,13 +466,13 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
 #
-# [[rviz]] transforms each message **at its own stamp** into one frame, the [[fixed frame]], and draws it. What it cannot transform it leaves out, and reports it in its list: the [[display status]].
-# Choose another Fixed Frame in the menu, rotate the scene with the mouse, open a line of the list.
+# [[rviz]] transforms each message **at its own stamp** into one frame, the [[fixed frame]], and draws it. Each entry of its list is a *display* and draws one kind of data. What it cannot transform it leaves out, and reports in the list as the [[display status]].
+# Choose another Fixed Frame, rotate the scene with the mouse, open a line of the list.
 
 # %% [markdown] lang="ko" name="rviz" slide="slide"
 # ## RViz: 모든 데이터를 한 좌표계 기준으로
 #
-# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
+# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 목록의 항목 하나가 *디스플레이*이고, 디스플레이마다 한 종류의 데이터를 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
 # 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
 # %% name="rviz-robot" tags=["collapsed"] slide="skip"
@@ -491,7 +494,7 @@ lesson.draw_rviz(until_s=25.0)
 # 정지 그림까지 합해 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% [markdown] lang="en" name="rviz-seen"
-# The figure shows the same from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). Below it is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
+# The figure shows the robot from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). Below it is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
 # **Question 4.** RViz calls `lookup_transform` with the Fixed Frame as target. Do the same for three Fixed Frames, and look up the robot's pose in `odom` each time:
 
@@ -699,6 +702,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # | all Ok, alternating between two positions | two publishers | the edge's rate in `view_frames`; `topic info --verbose` |
 # | nothing at all: `No messages received` | no publisher, or an incompatible QoS: most lasers offer `BEST_EFFORT`, RViz requests `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
 #
+# Rows 3, 4 and 7 are shown in *More faults in RViz* below.
 # "Not in RViz, so the sensor is broken" is in no row. Suspect the sensor last, and look at its messages first.
 
 # %% [markdown] lang="ko" name="symptoms" slide="slide"
@@ -713,8 +717,9 @@ lesson.draw_rviz(fixed_frame='Map')
 # | 모두 Ok, 서 있을 때도 벽에서 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
 # | 모두 Ok, 서 있으면 맞고 굽은 길에서 번짐 | 측정 시각, 시계 | `topic delay /scan` |
 # | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 발행률, `topic info --verbose` |
-# | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음. 레이저는 대개 `BEST_EFFORT`로 보내는데 RViz는 `RELIABLE`을 요구합니다 | `topic info /scan --verbose`, RViz에서는 디스플레이의 Reliability Policy |
+# | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음. 레이저는 대개 `BEST_EFFORT`로 보내는데 RViz는 `RELIABLE`을 요청합니다 | `topic info /scan --verbose`, RViz에서는 디스플레이의 Reliability Policy |
 #
+# 셋째, 넷째, 일곱째 줄의 고장은 아래의 *RViz의 다른 고장* 절에서 볼 수 있습니다.
 # “RViz에 보이지 않으니 센서 고장”은 어느 줄에도 없습니다. 센서는 메시지를 확인한 다음 마지막에 의심합니다.
 
 # %% [markdown] lang="en" name="symptoms-notes" slide="notes"
@@ -740,7 +745,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# A wrong mount would show when the robot stands still, too: always off by the same, relative to the robot.
+# A wrong mount would also show while the robot stands still. The scan would always be off by the same amount, relative to the robot.
 #
 # </details>
 # <details><summary>I chose 3</summary>
@@ -776,7 +781,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 서 있을 때 맞고 움직일 때 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 회전한 만큼 회전해 그려집니다. 곧은 길에서는 나아가는 방향으로만 밀립니다. 옆의 벽은 맞아 보이고, 앞의 벽은 0.5 m/s에서 15 cm 어긋납니다.
+# 맞습니다. 서 있을 때는 맞고 움직일 때만 틀리면 원인은 *시각*에 있습니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 회전한 만큼 회전해 그려집니다. 곧은 길에서는 나아가는 방향으로만 밀립니다. 옆의 벽은 맞아 보이고, 앞의 벽은 0.5 m/s에서 15 cm 어긋납니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -916,7 +921,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # **이제 연습 문제입니다.** [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀어 보세요. 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다.
 # 그다음은 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)입니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
 #
-# 아래는 더 알고 싶을 때 보는 절입니다. RViz의 다른 고장 세 가지와 복습 문제가 있습니다.
+# 아래는 더 알고 싶을 때 보는 절입니다. RViz의 다른 고장 세 가지와 복습 문제, 서술형 문제가 있습니다.
 #
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
@@ -927,10 +932,10 @@ lesson.draw_rviz(fixed_frame='Map')
 # ## RViz의 다른 고장: 관절 값 없음, 오도메트리 없음, 발행자 둘
 
 # %% [markdown] lang="en" name="break-joints-predict" slide="-"
-# First, no node publishes the joint positions any more. **Predict** each time: which displays fail?
+# **Predict** for each of three more faults: which displays fail? First, no node publishes the joint positions any more.
 
 # %% [markdown] lang="ko" name="break-joints-predict" slide="-"
-# 먼저 관절 값을 발행하는 노드가 없을 때입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.**
+# 고장이 세 가지 더 있습니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저 관절 값을 발행하는 노드가 없을 때입니다.
 
 # %% name="break-joints" tags=["predicted", "collapsed"]
 # Stop the joint driver, and draw what RViz shows.
@@ -957,7 +962,7 @@ lesson.stop_node('wheel_odometry')
 lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
-# This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
+# The message `not part of the same tree` points to its cause. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
 # `not part of the same tree`는 원인을 알려 주는 오류입니다. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
@@ -980,7 +985,7 @@ graph.run(seconds=25.5)
 # x alternates by 0.15 m and the yaw by 11°: the wheel odometry drifts to one side, the EKF does not. Each value alone is valid.
 
 # %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
-# x는 0.15 m, yaw는 11°씩 오락가락합니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
+# x는 0.15 m, yaw는 11° 차이로 두 값 사이를 오갑니다. 바퀴 오도메트리의 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
 
 # %% name="stop" tags=["collapsed"] slide="skip"
 # Stop the robot's nodes.

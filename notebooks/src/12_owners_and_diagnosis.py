@@ -35,15 +35,15 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Three publishers of one tree
 #
-# A robot with two cameras jumped back and forth while it was mapping. Its owner changed cameras, frames and settings. In the end he counted the publishers of the tree: the mapper with its visual odometry (odometry from images), a filter, and the recording that was being played, which contained the old `/tf` (introlab/rtabmap_ros, 2021).
+# A robot with two cameras jumped back and forth while it was mapping. Its user changed cameras, frames and settings. In the end he counted the publishers of the tree: the mapper with its visual odometry (odometry from images), a filter, and the recording that was being played, which contained the old `/tf` (introlab/rtabmap_ros, 2021).
 # His fix: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
 #
-# None of the three was broken. None of them raised an error. And the tree looked complete: tf2 keeps only the newest parent of a frame, so the drawing shows one parent, however many nodes publish the frame.
+# None of the three was broken. None of them raised an error. And the tree looked complete. TF2 keeps only the newest parent of a frame, so the drawing shows one parent, however many nodes publish the frame.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
 #
-# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
+# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 재생 중인 bag입니다. bag에는 기록할 때의 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
 # 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터의 `publish_tf`를 `false`로 바꾸어 셋 가운데 하나만 남겼습니다.
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리도 정상으로 보였습니다. 좌표계는 가장 최근의 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
@@ -103,7 +103,7 @@ graph.run(seconds=20.0)
 
 # %% [markdown] lang="en" name="count-seen" tags=["predicted"]
 # Four before, four after. `topic info` counts all publishers on `/tf`, whether they send or not. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
-# The edge itself proves it: its rate, and whether it changes smoothly. The next cells store the tree with a listener; `count_edge()` lets the robot drive for four seconds and counts the samples of this edge.
+# The proof is in the edge itself: its rate, and whether it changes smoothly. The next cells store the tree with a listener; `count_edge()` lets the robot drive for four seconds and counts the samples of this edge.
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
 # 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 실제로 보내든 보내지 않든 `/tf`의 발행기를 모두 셉니다. 필터의 발행기는 남아 있고, 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자가 있다는 증거도, 고쳐지지 않았다는 증거도 아닙니다.
@@ -157,15 +157,15 @@ for name, (x, y) in places:
     print(f"{name:<11} x {x:.3f}  y {y:.3f}")
 
 # %% [markdown] lang="en" name="between-seen" tags=["predicted"]
-# Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a position that no node ever published**. TF2 does not store owners; it sees one edge.
+# Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a position that no node ever published**. TF2 does not store owners. For TF2 there is one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
-# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 두 노드의 표본 사이를 조회하면 여느 두 표본처럼 보간하므로, **아무도 발행한 적 없는 위치**가 나옵니다. TF2는 발행자를 기록하지 않습니다. 둘을 구별하지 않고 한 연결로 처리합니다.
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 두 노드의 표본 사이를 조회하면 여느 두 표본처럼 보간하므로, **아무도 발행한 적 없는 위치**가 나옵니다. TF2는 발행자를 기록하지 않으므로 둘을 한 연결로 처리합니다.
 
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
 #
-# For each edge write down three things: **which node** publishes it, **from which data**, and **which switch** turns it off. If two nodes can publish the same edge, the switch of one has to be off. On common robots the switches are called
+# For each edge write down three things: **which node** publishes it, **from which data**, and **which switch** turns it off. If two nodes can publish the same edge, the switch of one has to be off. The switch is a parameter of the node. In common packages it has these names:
 #
 # | package | switch |
 # |---|---|
@@ -189,7 +189,7 @@ for name, (x, y) in places:
 # | rtabmap | `publish_tf` |
 
 # %% [markdown] lang="en" name="owner-table" slide="fragment"
-# This is the table of the robot above, on which someone has also added a gripper:
+# These are six rows of the table for the robot above. Somebody has also mounted a gripper on it. The rates are those that `view_frames` prints:
 #
 # |  | edge | owner | source | switch | rate |
 # |---|---|---|---|---|---|
@@ -201,7 +201,7 @@ for name, (x, y) in places:
 # | **! 0** | `base_link → gripper` | **nobody** | – | – | – |
 
 # %% [markdown] lang="ko" name="owner-table" slide="fragment"
-# 앞에서 본 로봇의 표입니다. 누군가 그리퍼도 하나 달았습니다.
+# 위 로봇의 발행 책임표 가운데 여섯 줄입니다. 누군가 그리퍼도 하나 달았습니다. 발행률은 `view_frames`에 나오는 값입니다.
 #
 # |  | 연결 | 발행자 | 데이터 | 스위치 | 발행률 |
 # |---|---|---|---|---|---|
@@ -213,19 +213,20 @@ for name, (x, y) in places:
 # | **! 0** | `base_link → gripper` | **없음** | – | – | – |
 
 # %% [markdown] lang="en" name="owner-seen"
-# `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong; an empty one to print is near the end of the page. You need to know the normal state to notice a fault.
+# `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong. An empty one is in the section *A table of owners to print* near the end of the page. You need to know the normal state to notice a fault.
 #
 # If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. It prints `<no authority available>` for each frame and each node. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 인쇄할 빈 표가 페이지 끝부분에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 빈 표는 페이지 끝부분의 *인쇄용 발행 책임표* 절에 있습니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+#
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 좌표계와 노드의 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
-# Fourteen minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the table.
+# Twelve minutes, most of them at the board: an empty table (there is one to print near the end of the page), one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the table.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
-# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 표를 보여 줍니다.
+# 12분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 표를 보여 줍니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -246,10 +247,10 @@ for name, (x, y) in places:
 #
 # | 상태 | `tf2_echo odom base_footprint 20` | 트리 |
 # |---|---|---|
-# | 하나 | 끊김 없이 변합니다 | 하나입니다 |
+# | 하나 | 끊김 없이 변합니다 | 한 덩어리입니다 |
 # | 없음 | 값이 나오지 않습니다 | `base_footprint`가 따로 떨어진 루트가 됩니다 |
-# | 둘 | 두 값 사이를 오갑니다 | 하나이지만 그 연결의 발행률이 너무 높습니다 |
-# | 다른 연결 | 값이 나오다 말다 합니다 | 하나였다 나뉘었다 합니다 |
+# | 둘 | 두 값 사이를 오갑니다 | 한 덩어리이지만 그 연결의 발행률이 너무 높습니다 |
+# | 다른 연결 | 값이 나오다 말다 합니다 | 한 덩어리였다가 나뉘었다가 합니다 |
 
 # %% [markdown] lang="en" name="four-states-notes" slide="notes"
 # Cover the second column and let the class fill it in, row by row. Most miss “succeeds and fails in turn”: two owners of one edge never tear the tree, another edge does.
@@ -274,7 +275,7 @@ for _ in range(6):
 # %% [markdown] lang="en" name="stop-one" slide="slide"
 # ## Stop one node and look
 #
-# No tool told you which node publishes which edge. But a stopped node publishes nothing. Stop one, and see whether the edge continues. **Predict:** what is the rate of `odom → base_footprint` without the filter, and without the wheel odometry?
+# No tool shows which node publishes which edge. But a stopped node publishes nothing. Stop one, and see whether the edge continues. **Predict:** what is the rate of `odom → base_footprint` without the filter, and without the wheel odometry?
 
 # %% [markdown] lang="ko" name="stop-one" slide="slide"
 # ## 노드를 하나 멈추고 보기
@@ -282,7 +283,7 @@ for _ in range(6):
 # 어느 노드가 어느 연결을 발행하는지 알려 주는 도구는 없습니다. 하지만 멈춘 노드는 아무것도 발행하지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 오도메트리 노드를 멈추면 몇 번 올까요?
 
 # %% [markdown] lang="en" name="stop-one-notes" slide="notes"
-# Three numbers before running: without the filter, without the wheel odometry, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
+# Let them write down three numbers before you run it: without the filter, without the wheel odometry, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
 
 # %% [markdown] lang="ko" name="stop-one-notes" slide="notes"
 # 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 오도메트리 노드 없이, 위치 추정 노드 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
@@ -331,10 +332,10 @@ for _ in range(40):
 print(looks)
 
 # %% [markdown] lang="en" name="another-edge-seen" tags=["predicted"]
-# Each `.` is a lookup after a message of the localiser: then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
+# 27 of the 40 lookups find it (`+`). Each `.` is a lookup after a message of the localiser. Then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
 
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
-# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇의 부모는 `map`이고 `odom`은 트리에서 떨어지며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
+# 40번 가운데 27번 나옵니다(`+`). `.`은 최신 변환이 위치 추정 노드에서 왔을 때의 조회입니다. 그때 로봇의 부모는 `map`이고 `odom`은 트리에서 떨어지며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
 # %% name="stop-two" tags=["collapsed"] slide="skip"
 # Stop the nodes of this scene.
@@ -355,7 +356,7 @@ rclpy.shutdown()
 # 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환에 따라 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
-# A takes a minute. Ask whether 2e+08 Hz is a fault. Before B ask: what is the first line of the tool about, and what is the second about? Before the static C ask: 1.000, 2.000, or an error? Before the two processes let them draw forty digits for each pair of rates.
+# A takes a minute. Ask whether 2e+08 Hz is a fault. Before B ask: what will the first line of the tool be about, and what the second? Before the static C ask: 1.000, 2.000, or an error? Before the two processes let them draw forty digits for each pair of rates.
 
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
 # A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. 정적 C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다. 두 프로세스로 하기 전에는 발행률마다 숫자가 어떻게 늘어설지 적게 합니다.
@@ -372,7 +373,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # A: 1.000, `At time 0.0`. The monitor's output looks wrong: a net delay of up to 12.5 s, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
-# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 경로의 지연은 최대 12.5초이고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상부터 알아 두어야 합니다.
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 경로의 지연은 최대 12.5초이고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상일 때의 출력부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
@@ -381,10 +382,10 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. A restart would not help, because the node is running. It publishes the name that it was given. Look for a name that nobody typed on purpose. RViz lists it:
+# B: the parent is `odm`. The first line of `tf2_echo` is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. A restart would not help, because the node is running. It publishes the name that it was given. Look for a name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
+# B에서는 부모 이름이 `odm`입니다. `tf2_echo`의 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
 
 # %% name="experiment-b-rviz" tags=["collapsed"] slide="subslide"
 # Draw what RViz shows.
@@ -398,10 +399,10 @@ graph = lesson.new_graph()
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="experiment-c-seen"
-# C, first with two static publishers: 2.000, from the publisher that was received last, and no message about the other. A listener that receives the two in the other order gets 1.000. **Nothing trembles, because each publisher sends once and tf2 keeps one value for a static edge.** Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
+# C, first with two static publishers: 2.000 is the value that was received last, and there is no message about the other. A listener that receives the two in the other order gets 1.000. **Nothing trembles, because each publisher sends once and tf2 keeps one value for a static edge.** Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# 먼저 정적 발행자 둘로 한 C입니다. 2.000은 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 1.000이 남습니다. **발행자마다 한 번만 보내고 tf2는 정적 연결에 값을 하나만 두므로, 아무것도 떨리지 않습니다.** 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
+# C는 먼저 정적 발행자 둘로 합니다. 2.000은 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 1.000이 남습니다. **발행자마다 한 번만 보내고 tf2는 정적 연결에 값을 하나만 두므로, 아무것도 떨리지 않습니다.** 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
 
 # %% [markdown] lang="en" name="experiment-c-twice" slide="subslide"
 # ### C with two processes that keep publishing
@@ -456,12 +457,12 @@ two_processes(20, 20)  # Hz
 two_processes(20, 30)
 
 # %% [markdown] lang="en" name="experiment-c-twice-seen" tags=["predicted"]
-# At 20 and 30 Hz, 1 and 2 alternate: RViz draws the robot here, then there, and it trembles. At equal rates every lookup returns 2, because the two keep their phase and the same process is always the last to send. **That is why a test on the bench finds no second owner.** On a robot the rates are seldom equal for long. Try `two_processes(20, 20.1)`: seconds of one value, then seconds of the other.
+# At 20 and 30 Hz, 1 and 2 alternate: RViz draws the robot here, then there, and it trembles. At equal rates every lookup returns 2, because the two keep their phase and the same process is always the last to send. **That is why a test on the bench can miss a second owner.** On a robot the rates are seldom equal for long. Try `two_processes(20, 20.1)`: seconds of one value, then seconds of the other.
 #
 # The rate of the edge shows the second owner in each of these cases: 40 or 50 messages a second, where 20 are expected.
 
 # %% [markdown] lang="ko" name="experiment-c-twice-seen" tags=["predicted"]
-# 20 Hz와 30 Hz에서는 1과 2가 번갈아 나옵니다. RViz는 로봇을 여기 그렸다가 저기 그리므로 로봇이 떨립니다. 발행률이 같으면 조회할 때마다 2입니다. 두 노드의 위상이 그대로라서 늘 같은 노드가 나중에 발행하기 때문입니다. **그래서 실험실에서 시험할 때는 두 번째 발행자를 찾지 못합니다.** 실제 로봇에서 두 발행률이 오래 똑같은 일은 드뭅니다. `two_processes(20, 20.1)`도 실행해 보세요. 몇 초 동안 한 값이 나오다가, 다음 몇 초 동안은 다른 값이 나옵니다.
+# 20 Hz와 30 Hz에서는 1과 2가 번갈아 나옵니다. RViz는 로봇을 여기 그렸다가 저기 그리므로 로봇이 떨립니다. 발행률이 같으면 조회할 때마다 2입니다. 두 노드의 위상이 그대로라서 늘 같은 노드가 나중에 발행하기 때문입니다. **그래서 실험실에서 시험할 때는 두 번째 발행자를 놓칠 수 있습니다.** 실제 로봇에서 두 발행률이 오래 똑같은 일은 드뭅니다. `two_processes(20, 20.1)`도 실행해 보세요. 몇 초 동안 한 값이 나오다가, 다음 몇 초 동안은 다른 값이 나옵니다.
 #
 # 어느 경우든 연결의 발행률에는 두 번째 발행자가 드러납니다. 20 Hz여야 할 연결이 40 Hz나 50 Hz입니다.
 
@@ -492,7 +493,7 @@ two_processes(20, 30)
 # 5. 메시지의 `frame_id`와 측정 시각, 그리고 시계를 봅니다.
 # 6. URDF, 발행 스위치, 두 번째 발행자를 확인합니다.
 #
-# 빠르고 대략적인 검사에서 오래 걸리고 세밀한 검사로 가는 순서이고, 끝까지 하면 원인을 찾습니다. 하지만 증상을 쓰지 않고 순서만 따르면 느립니다.
+# 빠르고 대략적인 검사부터 오래 걸리고 세밀한 검사까지의 순서이고, 끝까지 하면 원인을 찾습니다. 하지만 증상을 살피지 않고 순서만 따르면 오래 걸립니다.
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리의 발행률이 낮습니다**. 명령을 입력하기 전에 생각해 보세요. 용의자마다 결과가 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
@@ -506,16 +507,16 @@ two_processes(20, 30)
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
-# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
+# Rows are suspects, and columns are checks that can tell them apart. Hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”. It fits the first row (`=`) and does not fit the others (`≠`), so one minute rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓입니다. 행이 하나만 남고 그동안 카드와 다른 결과가 하나라도 나왔으면, 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사, `=`는 결과가 용의자와 맞음, `≠`는 맞지 않음입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓입니다. 행이 하나만 남고 그동안 정상일 때와 다른 결과가 하나라도 나왔으면, 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now diagnose the eighteen simulated robots of the clinic, the exercise of the next section. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
+# Two people now diagnose the eighteen simulated robots of the clinic, the exercise of the next section. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute. **Predict:** how many minutes does each of them need on average?
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 다음 절에 나오는 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
+# 이제 두 사람이 다음 절에 나오는 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다. **예측해 봅시다.** 두 사람은 평균 몇 분이 걸릴까요?
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The order is not wrong: it is safe, it teaches, and it finds everything. It just does not use what you already know.
@@ -533,7 +534,7 @@ lesson.draw_both_ways()
 # | the six steps | 6.1 minutes | 14 minutes |
 # | always the best check | 2.3 minutes | 5 minutes |
 #
-# You have twelve minutes (the dashed line). With the six steps, three of the eighteen robots take longer. Both people find every cause in the end. All checks together would take 72 minutes.
+# In the clinic you have twelve minutes (the dashed line). With the six steps, three of the eighteen robots take longer. Both people find every cause in the end. All checks together would take 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
@@ -543,7 +544,7 @@ lesson.draw_both_ways()
 # | 여섯 단계 | 6.1분 | 14분 |
 # | 용의자를 가장 많이 지우는 검사부터 | 2.3분 | 5분 |
 #
-# 쓸 수 있는 시간은 12분입니다. 여섯 단계로는 열여덟 대 가운데 세 대가 이 시간을 넘깁니다. 두 방법 모두 결국 원인을 찾습니다. 모든 검사를 하면 72분이 걸립니다.
+# 진료실에서 쓸 수 있는 시간은 12분입니다. 여섯 단계로는 열여덟 대 가운데 세 대가 이 시간을 넘깁니다. 두 방법 모두 결국 원인을 찾습니다. 모든 검사를 하면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it works
@@ -566,11 +567,11 @@ lesson.show_trolley()
 
 # %% [markdown] lang="en" name="trolley-seen"
 # `show_trolley` prints all checks, with their minutes. On the left is the short name, which you can use instead of the command. Checks by hand, such as measuring the mount, take longer than commands. So begin with commands.
-# `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect you mean; it is not marked.
+# `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect the check is about. It earns no points.
 
 # %% [markdown] lang="ko" name="trolley-seen"
 # 왼쪽 열은 검사의 짧은 이름이고, 명령 대신 쓸 수 있습니다. 줄자나 케이블이 필요한 검사는 명령보다 오래 걸립니다. 그래서 명령으로 하는 검사가 먼저입니다.
-# `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 진료실이 지워 주고, 쓰지 않으면 여러분이 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
+# `lesson.admit`은 환자를 받습니다. `helped=True`면 검사 결과와 맞지 않는 용의자가 지워지고, 쓰지 않으면 여러분이 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked" tags=["translated"] slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
@@ -587,11 +588,11 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # %% [markdown] lang="en" name="worked-think"
 # The fix is refused: no fix without a diagnosis. The reply proposes a check with different results for all three suspects. But if the clock is the cause, the result of `hz /odom` is the normal one of the card, and a normal result proves nothing. Which check would give an abnormal result?
 #
-# “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
+# “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp, `delay /odom` the transforms.
 
 # %% [markdown] lang="ko" name="worked-think"
 # 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 거절하는 메시지는 `hz /odom`을 권합니다. 세 용의자에서 결과가 모두 다른 검사이기 때문입니다. 그러나 원인이 시계라면 `hz /odom`의 결과는 카드와 같습니다. 카드와 같은 결과로는 아무것도 증명할 수 없습니다. 어느 검사에서 카드와 다른 결과가 나올까요?
-# “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
+# “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있습니다. 측정 시각은 `delay /scan`으로, 변환은 `delay /odom`으로 봅니다.
 
 # %% name="worked-ask" tags=["translated"]
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
@@ -697,7 +698,7 @@ visit.try_fix()
 # ros2 topic info /tf --verbose                # which nodes have a publisher
 # ros2 topic info /tf_static --verbose         # which nodes; is one of them VOLATILE?
 # ros2 topic echo /tf_static --once            # of two publishers only one
-# ros2 param get /problem_node use_sim_time    # whatever its name
+# ros2 param get /problem_node use_sim_time    # with the name of your node
 # ```
 #
 # What these eight commands cannot show, the following five do:
@@ -738,8 +739,8 @@ visit.try_fix()
 # chronyc tracking                                   # 컴퓨터마다
 # ```
 #
-# 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
-# 진료실의 고장은 17가지이고, 실제 로봇에는 그 밖의 고장도 있습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
+# 어느 노드가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+# 진료실의 고장은 17가지이고, 실제 로봇에는 그 밖의 고장도 있습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요청하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
 # To photograph. Say the last line aloud: wheels off the ground, the emergency stop in your hand.
@@ -750,7 +751,7 @@ visit.try_fix()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - An [[owner]] is a node, a source of data and a switch. Each edge has one: not two, and not none.
+# - An [[owner]] is a node, a source of data and a switch. Each edge has exactly one.
 # - A [[second-owner|second owner]] raises no error. Look up twenty times a second, and look at the rate of the edge.
 # - A complaint is not a cause. A check is worth what it rules out: choose one with different results for your [[suspect|suspects]].
 # - Stop when one is left. A fix is proved by the check that found the fault.
@@ -759,7 +760,7 @@ visit.try_fix()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘이어도, 없어도 안 됩니다.
+# - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 꼭 하나여야 합니다.
 # - [[second-owner|두 번째 발행자]]가 있어도 오류는 나지 않습니다. 20 Hz로 조회하고, 연결의 발행률을 확인하십시오.
 # - 증상은 원인이 아닙니다. 좋은 검사는 용의자를 많이 지웁니다. [[suspect|용의자]]마다 결과가 다를 검사를 고르십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
@@ -808,7 +809,7 @@ visit.try_fix()
 # This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
 # When you go to a real robot, begin with [From here to a robot](92_to_a_robot.ipynb): your nodes as a package, what differs there, and the first five commands.
 #
-# The sections below are for practice and reference: more patients of the clinic, two faults at once, experiment C on your computer, tables of symptoms and mistakes, and questions.
+# The sections below are for practice and reference: more patients of the clinic, two faults at once, experiment C on your computer, a table of owners to print, tables of symptoms and mistakes, and questions.
 #
 # On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
@@ -821,7 +822,7 @@ visit.try_fix()
 # 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
 # 실제 로봇으로 갈 때는 [이제 로봇으로](92_to_a_robot.ipynb)부터 보십시오. 내 노드를 패키지로 만드는 법, 로봇에서 다른 점, 처음 입력할 다섯 명령이 있습니다.
 #
-# 아래는 더 연습하거나 찾아볼 때 쓰는 절입니다. 진료실의 다른 환자, 원인이 둘인 환자, 여러분의 컴퓨터에서 하는 실험 C, 증상과 실수의 표, 복습 문제가 있습니다.
+# 아래는 더 연습하거나 찾아볼 때 쓰는 절입니다. 진료실의 다른 환자, 원인이 둘인 환자, 여러분의 컴퓨터에서 하는 실험 C, 인쇄용 발행 책임표, 증상과 실수의 표, 복습 문제와 서술형 문제가 있습니다.
 #
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 
@@ -832,10 +833,10 @@ visit.try_fix()
 # ## 반만 도움받기: 로봇이 튑니다
 
 # %% [markdown] lang="en" name="faded" slide="-"
-# Two checks are given (`take` is `ask` without the costs); you name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
+# Two checks are given (`take` is `ask` without the lines about costs). You name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
 
 # %% [markdown] lang="ko" name="faded" slide="-"
-# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
+# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 검사 결과가 다른 용의자에게도 맞으면 처치가 거절됩니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
 # Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
@@ -876,7 +877,7 @@ lesson.clinic_panel(lesson.practice_patient(7))
 lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
 
 # %% [markdown] lang="en" name="panel-seen" slide="skip"
-# The figure shows four checks of the same patient, what each cost, and how many suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, and added nothing.
+# The figure shows four checks of the same patient, what each cost, and how many suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, because their results add nothing.
 
 # %% [markdown] lang="ko" name="panel-seen" slide="skip"
 # *그림 읽기:* 같은 환자에게 한 검사 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대에서는 새로 알게 된 것이 없습니다.
@@ -943,10 +944,10 @@ night.say(cause="localizer not running", frame="odom", owner="localization", fix
 night.try_fix()
 
 # %% [markdown] lang="en" name="night-seen" tags=["predicted"]
-# The first cause is gone, RViz is all Ok, and the scan is off the walls. The second fault was there all along, and could not be seen. Fix one, and examine again from the beginning.
+# The first cause is gone, and RViz is all Ok, but the scan is up to 0.13 m off the walls. (With its clock set, the robot of the clinic above was at 0.09 m.) The second fault was there all along, and could not be seen. Fix one, and examine again from the beginning.
 
 # %% [markdown] lang="ko" name="night-seen" tags=["predicted"]
-# 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
+# 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 0.13 m까지 어긋나 있습니다(앞에서 시계를 맞춘 로봇은 0.09 m였습니다). 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 검사하십시오.
 
 # %% [markdown] lang="en" name="doctor" slide="subslide"
 # A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a wrong frame that exists. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.

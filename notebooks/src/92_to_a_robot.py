@@ -24,7 +24,7 @@
 # | `ros-jazzy-ros-base` | the robot's computer: rclpy, tf2, robot_state_publisher, rosbag2 |
 # | `ros-jazzy-desktop` | your laptop: the same, and RViz |
 # | `ros-jazzy-tf2-tools` | `view_frames` |
-# | `ros-dev-tools` | colcon and rosdep |
+# | `ros-dev-tools` | `colcon`, which builds packages, and `rosdep`, which installs what they need |
 # | `chrony` | the same time on all computers |
 
 # %% [markdown] lang="ko" name="install" slide="slide"
@@ -39,7 +39,7 @@
 # | `ros-jazzy-ros-base` | 로봇의 컴퓨터: rclpy, tf2, robot_state_publisher, rosbag2 |
 # | `ros-jazzy-desktop` | 노트북 컴퓨터: 위의 것과 RViz |
 # | `ros-jazzy-tf2-tools` | `view_frames` |
-# | `ros-dev-tools` | colcon과 rosdep |
+# | `ros-dev-tools` | 패키지를 빌드하는 `colcon`, 필요한 패키지를 설치하는 `rosdep` |
 # | `chrony` | 모든 컴퓨터의 시계 맞추기 |
 
 # %% [markdown] lang="en" name="package" slide="slide"
@@ -54,7 +54,7 @@
 # tflab ros2 launch tf_lab_py tf_lab_py.launch.py    # does it run here? Ctrl-C ends it
 # ```
 #
-# The first line writes `ros2_ws/src/tf_lab_py`. Your own files stay as they are.
+# The first line writes `ros2_ws/src/tf_lab_py`. The folder `ros2_ws` is a *workspace*: `colcon` builds the packages in its `src`. Your own files stay as they are.
 # `package.xml` lists the packages that your nodes import, `setup.py` has an executable for each `main()`, and beside them are a launch file, a URDF and a test.
 # Copy the folder `ros2_ws` to the robot, and type there:
 #
@@ -68,8 +68,9 @@
 # ros2 run tf_lab_py static_sensor_broadcaster
 # ```
 #
+# `source` reads settings into one terminal, so each new terminal needs it again.
 # After `--symlink-install` you can edit a node without building again.
-# `Package 'tf_lab_py' not found` usually means that this terminal has not sourced `install/setup.bash`.
+# `Package 'tf_lab_py' not found` usually means that `source install/setup.bash` was not run in this terminal.
 
 # %% [markdown] lang="ko" name="package" slide="slide"
 # ## 내 노드를 패키지로 만들기
@@ -83,7 +84,7 @@
 # tflab ros2 launch tf_lab_py tf_lab_py.launch.py    # 여기서 먼저 실행, 끝낼 때는 Ctrl-C
 # ```
 #
-# 첫 줄이 `ros2_ws/src/tf_lab_py`를 만듭니다. 원래 파일은 그대로입니다.
+# 첫 줄이 `ros2_ws/src/tf_lab_py`를 만듭니다. `ros2_ws` 폴더는 작업 공간(workspace)이고, `colcon`이 그 안의 `src`에 있는 패키지를 빌드합니다. 원래 파일은 그대로입니다.
 # `package.xml`에는 노드가 임포트하는 패키지가, `setup.py`에는 `main()`마다 실행 파일 하나가 적혀 있습니다. 런치 파일, URDF, 테스트도 들어 있습니다.
 # `ros2_ws` 폴더를 로봇에 복사하고, 로봇에서 입력합니다.
 #
@@ -97,8 +98,9 @@
 # ros2 run tf_lab_py static_sensor_broadcaster
 # ```
 #
+# `source`는 그 터미널에만 설정을 읽어 들이므로, 새 터미널마다 다시 실행해야 합니다.
 # `--symlink-install`로 빌드했다면 노드를 고친 뒤 다시 빌드하지 않아도 됩니다.
-# `Package 'tf_lab_py' not found`가 나오면, 대개 그 터미널에서 `source install/setup.bash`를 하지 않은 것입니다.
+# `Package 'tf_lab_py' not found`가 나오면, 대개 그 터미널에서 `source install/setup.bash`를 실행하지 않은 것입니다.
 
 # %% [markdown] lang="en" name="differs" slide="slide"
 # ## What is different on a robot
@@ -107,12 +109,12 @@
 # |---|---|---|
 # | Time is simulated and stops between commands. | Time never stops, and no two runs are the same. | Look up at the stamp of the message, with a short timeout. Handle all three exceptions. |
 # | All nodes are in one process. | DDS finds the nodes over the network, which takes a second or two. | Do not expect a transform in the constructor. Another robot on the network gets another `ROS_DOMAIN_ID`. |
-# | Nearly all messages arrive. | Wi-Fi loses and delays messages. | Transform where the sensor is connected. |
+# | Nearly all messages arrive. | Wi-Fi loses and delays messages. | Transform on the computer to which the sensor is connected. |
 # | The [[qos]] settings of the nodes fit. | Many drivers offer `BEST_EFFORT`. A subscription that requests `RELIABLE` receives nothing. | Compare both sides with `ros2 topic info /scan --verbose`. |
-# | There is one clock, unless a page adds one. | Each computer has its own clock. | Let `chrony` synchronise them (below). |
+# | There is one clock, unless a page adds one. | Each computer has its own clock. | Synchronise them with `chrony` (below). |
 # | A wrong transform moves an arrow. | A wrong transform moves a robot. | Wheels off the ground, the emergency stop in your hand. |
 #
-# Clocks: the robot's computer serves the time, and all others follow it, also without internet. Restart `chrony` after the change. The offset that `chronyc tracking` shows must be much smaller than the time between two transforms.
+# The robot's computer serves the time, and all others take it from there, also without internet. Restart `chrony` after the change. The offset that `chronyc tracking` prints must be much smaller than the time between two transforms.
 #
 # ```
 # allow 192.168.0.0/16             # robot: /etc/chrony/chrony.conf
@@ -143,11 +145,27 @@
 # %% [markdown] lang="en" name="first-five" slide="slide"
 # ## Five commands for a robot that you have never seen
 #
+# ```
+# 1  ros2 node list
+# 2  ros2 run tf2_ros tf2_echo base_link laser_frame
+# 3  ros2 topic delay /scan
+# 4  ros2 run tf2_tools view_frames
+# 5  ros2 topic info /tf --verbose
+# ```
+#
 # **Predict:** which of the five commands finds a wrong clock? Which one helps to find that somebody has moved the laser and not changed the URDF?
 # Then run them, here on the simulated robot.
 
 # %% [markdown] lang="ko" name="first-five" slide="slide"
 # ## 처음 보는 로봇에서 입력할 다섯 명령
+#
+# ```
+# 1  ros2 node list
+# 2  ros2 run tf2_ros tf2_echo base_link laser_frame
+# 3  ros2 topic delay /scan
+# 4  ros2 run tf2_tools view_frames
+# 5  ros2 topic info /tf --verbose
+# ```
 #
 # **예측해 봅시다.** 다섯 명령 가운데 틀린 시계를 찾아내는 것은 무엇일까요? 누군가 레이저를 옮기고 URDF는 고치지 않았다면 어느 명령이 도움이 될까요?
 # 예측한 다음 시뮬레이션 로봇에서 실행해 보세요.
@@ -171,7 +189,7 @@ nodes = lesson.launch(lesson.new_graph())
 # **2. Where does TF have the sensor?** Compare the numbers with a tape measure.
 
 # %% [markdown] lang="ko" name="mount-why" slide="skip"
-# **2. TF에서 센서는 어디에 있습니까?** 줄자로 재어 비교합니다.
+# **2. TF에서 센서는 어디에 있습니까?** 줄자로 잰 값과 비교합니다.
 
 # %% name="mount" tags=["predicted"]
 # %ros2 --for 2 run tf2_ros tf2_echo base_link laser_frame
@@ -195,16 +213,16 @@ nodes = lesson.launch(lesson.new_graph())
 # %ros2 run tf2_tools view_frames
 
 # %% [markdown] lang="en" name="owners-why" slide="skip"
-# **5. Which nodes publish transforms?** Each edge has one [[owner]]. Begin its table here.
+# **5. Which nodes have a publisher on `/tf`?** Each edge has one [[owner]]. Begin your table of owners with these names.
 
 # %% [markdown] lang="ko" name="owners-why" slide="skip"
-# **5. 어떤 노드가 변환을 발행합니까?** 연결마다 [[owner|발행 책임]]은 하나입니다. 책임표는 여기서 시작합니다.
+# **5. 어떤 노드에 `/tf`의 발행기가 있습니까?** 연결마다 [[owner|발행 책임]]은 한 노드에 있습니다. 이 이름들로 발행 책임표를 쓰기 시작하십시오.
 
 # %% name="owners"
 # %ros2 topic info /tf --verbose
 
 # %% [markdown] lang="en" name="five-seen" slide="skip" tags=["predicted"]
-# The third command finds a wrong clock. The second one helps with the moved laser, but only with a tape measure beside it: TF repeats what the URDF contains.
+# The third command finds a wrong clock. The second one helps with the moved laser, but only together with a tape measure, because TF repeats what the URDF contains.
 
 # %% [markdown] lang="ko" name="five-seen" slide="skip" tags=["predicted"]
 # 틀린 시계는 셋째 명령이 찾아냅니다. 옮겨진 레이저에는 둘째 명령이 도움이 되지만, 줄자가 있어야 합니다. TF는 URDF에 적힌 값을 그대로 알려 줄 뿐입니다.

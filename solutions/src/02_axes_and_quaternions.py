@@ -213,8 +213,8 @@ e2_6 = task("E2.6")
 diagnosis = {
     # BEGIN SOLUTION
     "wall_appears": (
-        "right" if e2_6.rpy_of_camera_link_in_base_link_deg[2]  # turned twice
-        else "left" if e2_6.rpy_of_camera_optical_frame_in_camera_link_deg == (-90.0, 0.0, 0.0)  # half of the turn
+        "right" if e2_6.rpy_of_camera_link_in_base_link_deg[2]  # rotated twice
+        else "left" if e2_6.rpy_of_camera_optical_frame_in_camera_link_deg == (-90.0, 0.0, 0.0)  # roll only
         else "above"
     ),
     "fault": (
@@ -255,15 +255,17 @@ check("E2.7", off_mm)
 # %% [markdown] lang="en" name="e2-8"
 # ## E2.8 · From a pixel to a point (3 points)
 #
-# A depth camera sees a part at the pixel (`u`, `v`). Its depth image has `depth_m` metres there.
-# `camera_info` has `fx`, `fy`, `cx` and `cy` [pixels]. The camera is at `base_p_camera` [m] in `base_link`, looks straight ahead and is not rotated.
+# A depth camera sees a part at the pixel (`u`, `v`). Its depth image has the value `depth_m` [m] there.
+# `camera_info` has `fx`, `fy`, `cx` and `cy` [pixels]. `camera_link` is at `base_p_camera` [m] in `base_link` and is not rotated, so the camera looks straight ahead.
+# `e2_8` has all these values, such as `e2_8.u`.
 # Where is the part in `base_link`? Predict first: is it left or right of the camera, above or below?
 
 # %% [markdown] lang="ko" name="e2-8"
 # ## E2.8 · 픽셀에서 점으로 (3점)
 #
-# 깊이 카메라가 픽셀 (`u`, `v`)에서 부품을 봅니다. 깊이 영상의 그 자리에는 `depth_m` 미터가 들어 있습니다.
-# `camera_info`에는 `fx`, `fy`, `cx`, `cy` [픽셀]가 들어 있습니다. 카메라는 `base_link` 기준 `base_p_camera` [m]에 회전 없이 달려 정면을 봅니다.
+# 깊이 카메라의 영상에서 부품이 픽셀 (`u`, `v`)에 보입니다. 깊이 영상의 이 픽셀에는 `depth_m` [m]이 들어 있습니다.
+# `camera_info`에는 `fx`, `fy`, `cx`, `cy` [픽셀]가 들어 있습니다. `camera_link`는 `base_link` 기준 `base_p_camera` [m]에 회전 없이 달려 있어서, 카메라는 정면을 봅니다.
+# 값은 모두 `e2_8.u`처럼 `e2_8`에 들어 있습니다.
 # 부품은 `base_link` 기준으로 어디에 있습니까? 먼저 예측하십시오. 카메라의 왼쪽입니까, 오른쪽입니까? 위입니까, 아래입니까?
 
 # %% name="e2-8-given"

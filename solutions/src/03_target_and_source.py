@@ -117,9 +117,9 @@ check("E3.2", corner)
 def invert(a_pose_b):
     """Return b_pose_a, {'x': [m], 'y': [m], 'yaw': [rad]}, of a_pose_b."""
     # BEGIN SOLUTION
-    yaw = -a_pose_b['yaw']  # turn back
+    yaw = -a_pose_b['yaw']  # the inverse rotation
     c, s = math.cos(yaw), math.sin(yaw)
-    x, y = -a_pose_b['x'], -a_pose_b['y']  # take the step off, along the turned axes
+    x, y = -a_pose_b['x'], -a_pose_b['y']  # the negated translation, rotated below
     return {'x': c * x - s * y, 'y': s * x + c * y, 'yaw': yaw}
     # END SOLUTION
 
@@ -287,7 +287,7 @@ check("E3.7", verdict)
 # %% [markdown] lang="en" name="e3-8" slide="slide"
 # ## E3.8 · Rotation, translation, both or neither (3 points)
 #
-# Six values are expressed in a sensor's frame, and you need them in `base_link`. The sensor is mounted away from `base_link` and rotated. Which part of the transform changes each value? Choose `"both"`, `"rotation"` or `"neither"`.
+# Six values are measured in a sensor's frame, and you need them in `base_link`. The sensor is mounted away from the origin of `base_link`, and it is rotated. Which part of the transform changes each value? Choose `"both"`, `"rotation"` or `"neither"`.
 #
 # - **corner** the corner of a shelf, a point that the laser measured
 # - **velocity** of a person who walks past
@@ -299,7 +299,7 @@ check("E3.7", verdict)
 # %% [markdown] lang="ko" name="e3-8" slide="slide"
 # ## E3.8 · 회전, 이동, 둘 다, 둘 다 아님 (3점)
 #
-# 센서의 좌표계 기준인 값이 여섯 개 있고, `base_link` 기준으로 바꾸려고 합니다. 센서는 `base_link`에서 떨어진 곳에 회전시켜 달았습니다. 변환의 어느 부분이 값을 바꿉니까? `"both"`(둘 다), `"rotation"`(회전만), `"neither"`(둘 다 아님) 가운데 하나로 답하십시오.
+# 센서의 좌표계를 기준으로 측정한 값 여섯 개를 `base_link` 기준으로 바꾸려고 합니다. 센서는 `base_link`의 원점에서 떨어진 곳에 회전시켜 달았습니다. 값마다 변환의 어느 부분이 적용됩니까? `"both"`(둘 다), `"rotation"`(회전만), `"neither"`(둘 다 아님) 가운데 하나로 답하십시오.
 #
 # - **corner** 레이저가 측정한 점인 선반 모서리
 # - **velocity** 지나가는 사람의 속도
