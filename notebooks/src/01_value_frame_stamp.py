@@ -578,12 +578,12 @@ print(f'in map ({point.x:.2f}, {point.y:.2f}, {point.z:.2f}) m')
 def usable(message, now_ns, max_age_s=1.0):
     header = message.header
     if not header.frame_id:
-        return 'refused: no frame'
+        return 'rejected: no frame'
     if header.stamp.sec == 0 and header.stamp.nanosec == 0:
-        return 'refused: no stamp'
+        return 'rejected: no stamp'
     age_s = (now_ns - Time.from_msg(header.stamp).nanoseconds) / 1e9
     if age_s > max_age_s:
-        return f'refused: {age_s:.1f} s old'
+        return f'rejected: {age_s:.1f} s old'
     return 'used'
 
 

@@ -1050,7 +1050,7 @@ lesson.draw_misread(
 # - 픽셀은 광학 좌표계의 광선입니다. x/z = (u − cx)/fx, y/z = (v − cy)/fy.
 # - 데이터가 90° 회전해 있다면 헤더의 좌표계 이름이나 장착 변환을 고치고, 숫자는 절대 고치지 않습니다.
 #
-# 아래 카드에 모두 적혀 있습니다. 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
+# 아래 카드에 모두 적혀 있습니다. 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄해 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive rotations = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, not a rotation = 회전이 아님.
 
 # %% name="recap-card" tags=["collapsed"] slide="subslide"
 # Draw the card.

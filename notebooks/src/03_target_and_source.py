@@ -1366,12 +1366,12 @@ lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # ## 슬라이더: 레이저를 회전시키며 두 가지 실수 보기
 
 # %% [markdown] lang="en" name="try-it"
-# 1. At which yaw does "turn forgotten" (the rotation left out) make no difference?
+# 1. At which yaw does "rotation left out" make no difference?
 # 2. At which yaw do you not see "swapped" from above? Look at z as well.
 # 3. At which yaw is the error of the swap largest?
 
 # %% [markdown] lang="ko" name="try-it"
-# 1. “turn forgotten”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
+# 1. “rotation left out”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
 # 2. 위에서 볼 때 “swapped”(바꿔 씀)는 yaw가 얼마일 때 정답과 겹쳐 보일까요? z도 살펴보세요.
 # 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
 #

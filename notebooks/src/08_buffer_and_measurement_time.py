@@ -1191,7 +1191,7 @@ for heard in slow.readings(until_s=13.0):
             answered += 1
         except TransformException as refusal:
             refusals.append(str(refusal))
-print(answered, "answered,", len(refusals), "refused")
+print(answered, "answered,", len(refusals), "rejected")
 print(refusals[0])
 
 # %% [markdown] lang="en" name="slow-odometry-read" tags=["predicted"] slide="subslide"

@@ -823,9 +823,9 @@ lesson.draw_lanes(called)
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## The same on a real robot
 #
-# Messages that wait grow old. Decide four things *before* the robot drives (lecture, section 19):
+# Messages grow old while they wait. Decide four things first (lecture, section 19):
 #
-# - **How long do I wait?** In the node below: until two newer points wait.
+# - **How long do I wait?** Until two newer points wait.
 # - **A point without a transform by then?** Drop it, and log the reason.
 # - **How many may queue?** Two; the oldest goes first.
 # - **How old may data be that moves the robot?** 0.5 s. New is better than complete.

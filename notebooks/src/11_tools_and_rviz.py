@@ -402,7 +402,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 import math
 
 v, w = 0.5, 1.0
-print('rate     straight   bend        wait at most')
+print('rate     straight   curve       wait at most')
 for f in (1, 2, 10, 20):
     gap = v / w * (1 - math.cos(w / (2 * f)))
     wait = 1 / f + 0.004 - 0.105  # a period and the way of a transform, minus the way of the scan

@@ -16,7 +16,7 @@ def test_the_order_is_a_list_and_bars_with_the_moment_at_which_the_cause_was_cle
     assert picture.text.splitlines() == [
         "1. view_frames: 3 min, 3 in all, 3 left",
         "2. delay /scan: 1 min, 4 in all, 1 left  one suspect left",
-        "3. monitor: 4 min, 8 in all, 1 left  told nothing more",
+        "3. monitor: 4 min, 8 in all, 1 left  added nothing",
     ]
     bars = [(bar.get_x(), bar.get_width(), str(bar.get_hatch())) for bar in picture.figure.axes[0].patches]
     assert bars == [(0, 3, ""), (3, 1, ""), (4, 4, "////")]

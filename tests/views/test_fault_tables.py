@@ -23,7 +23,7 @@ TABLE = {
 def test_the_words_say_who_is_left_and_which_questions_tell_something():
     assert describe_suspects(TABLE, {"delay /scan": "as on the card"}).splitlines() == [
         "2 of 3 suspects left",
-        "  clock ahead  struck: delay /scan would be ahead",
+        "  clock ahead  ruled out: delay /scan would be ahead",
         "  late         left",
         "  slow         left",
         "asked: delay /scan: as on the card",

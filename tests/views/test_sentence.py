@@ -91,7 +91,7 @@ def test_the_two_readings_are_opposite_transforms():
     # where the laser sits is (0.2, 0, 0.15); for the other, turn back first: (0, 0.2, -0.15)
     assert describe_readings("base_link", "laser_frame", TURNED) == (
         '"from base_link to laser_frame"\n'
-        "reading 1: where laser_frame sits in base_link: base_link_T_laser_frame\n"
+        "reading 1: the pose of laser_frame in base_link: base_link_T_laser_frame\n"
         "  [ 0.000 -1.000  0.000  0.200 ]\n"
         "  [ 1.000  0.000  0.000  0.000 ]\n"
         "  [ 0.000  0.000  1.000  0.150 ]\n"

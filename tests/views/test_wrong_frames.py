@@ -19,14 +19,14 @@ def test_a_laser_that_looks_left_sees_the_corner_on_the_left():
     # 2 m along the laser's x is 2 m along the robot's y, from the laser's place on
     places = seen_from(turned(math.pi / 2), (2.0, 0.0, 0.0))
     assert places["corner"] == pytest.approx((0.2, 2.0, 0.15))
-    assert places["turn forgotten"] == pytest.approx((2.2, 0.0, 0.15))
+    assert places["rotation left out"] == pytest.approx((2.2, 0.0, 0.15))
     # swapped: undo the step first, (1.8, 0, -0.15), then turn right
     assert places["swapped"] == pytest.approx((0.0, -1.8, -0.15))
 
 
 def test_a_mistake_can_hide_without_a_turn_the_forgotten_one_and_at_half_a_turn_the_swapped_lookup():
     places = seen_from(turned(0.0), (2.0, 0.5, 0.0))
-    assert places["turn forgotten"] == pytest.approx(places["corner"])
+    assert places["rotation left out"] == pytest.approx(places["corner"])
     places = seen_from(turned(math.pi), (2.0, 0.7, 0.0))
     assert places["swapped"][:2] == pytest.approx(places["corner"][:2])
     assert places["swapped"][2] == pytest.approx(-0.15)
@@ -35,10 +35,10 @@ def test_a_mistake_can_hide_without_a_turn_the_forgotten_one_and_at_half_a_turn_
 def test_the_picture_in_words():
     assert describe_mount(math.pi / 2) == (
         "laser_frame at (0.200, 0.000, 0.150) m in base_link, yaw 1.57 rad\n"
-        "the laser says    (2.000, 0.000, 0.000) m  in laser_frame\n"
-        "the corner is at  (0.200, 2.000, 0.150) m  in base_link\n"
-        "swapped:          (0.000, -1.800, -0.150) m  off by 3.817 m  (laser_T_base.apply(laser_p))\n"
-        "turn forgotten:   (2.200, 0.000, 0.150) m  off by 2.828 m  (laser_p + translation)"
+        "the laser measures (2.000, 0.000, 0.000) m  in laser_frame\n"
+        "the corner is at   (0.200, 2.000, 0.150) m  in base_link\n"
+        "swapped:           (0.000, -1.800, -0.150) m  off by 3.817 m  (laser_T_base.apply(laser_p))\n"
+        "rotation left out: (2.200, 0.000, 0.150) m  off by 2.828 m  (laser_p + translation)"
     )
 
 

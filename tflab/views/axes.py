@@ -288,14 +288,14 @@ SENTENCES = (
     "  x to y with the fingers,",
     "  z is the thumb",
     "",
-    "positive turns",
+    "positive rotations",
     "  roll   left side up",
     "  pitch  nose down",
     "  yaw    nose left",
     "",
     "(x, y, z, w)",
     "  0 0 0 1   no rotation",
-    "  0 0 0 0   nothing at all",
+    "  0 0 0 0   not a rotation",
     "  q and -q  the same",
     "  yaw a     (0, 0, sin a/2, cos a/2)",
     "",
@@ -306,7 +306,7 @@ SENTENCES = (
 
 
 def draw_card() -> Picture:
-    """Draw the card: both conventions of axes, the positive turns, and what to know of a quaternion."""
+    """Draw the card: both conventions of axes, the positive rotations, and what to know of a quaternion."""
     picture = Picture((style.WIDE[0], 4.3))
     sides = {"base_link, camera_link": BODY_WORDS, "..._optical_frame": OPTICAL_WORDS}
     with style.our_settings():

@@ -29,7 +29,7 @@ def describe_order(log: Sequence[Question]) -> str:
     lines, minutes, is_done = [], 0.0, False
     for number, (check, takes, left) in enumerate(log, start=1):
         minutes += takes
-        note = "  told nothing more" if is_done else "  one suspect left" if left <= 1 else ""
+        note = "  added nothing" if is_done else "  one suspect left" if left <= 1 else ""
         lines.append(f"{number}. {check}: {takes:g} min, {minutes:g} in all, {left} left{note}")
         is_done = is_done or left <= 1
     return "\n".join(lines) or "nothing was asked"

@@ -32,7 +32,7 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     lines = [f"{len(left)} of {len(findings)} suspects left"]
     for name, row in findings.items():
         struck = next((check for check, said in asked.items() if row[check] != said), None)
-        why = f"struck: {struck} would be {row[struck]}" if struck else "left"
+        why = f"ruled out: {struck} would be {row[struck]}" if struck else "left"
         lines.append(f"  {name:<{width}}  {why}")
     lines += [f"asked: {check}: {said}" for check, said in asked.items()]
     for check in next(iter(findings.values())):

@@ -70,7 +70,7 @@ def draw_drives(yaw_rates_radps: Mapping[str, float], speed_mps: float = 0.5, du
 
 def describe_orders(first: tuple[str, float], second: tuple[str, float]) -> str:
     """Return in words where the nose and the top end, for both orders of two turns (name, angle [rad])."""
-    lines = ["Two turns about the fixed axes, in two orders (fixed x forward, y left, z up):"]
+    lines = ["Two rotations about the fixed axes, in two orders (fixed x forward, y left, z up):"]
     for turns in ((first, second), (second, first)):
         after = _after(turns)[-1]
         name = ", then ".join(f"{name} {style.fmt(angle, 'rad')}" for name, angle in turns)

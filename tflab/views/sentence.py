@@ -177,7 +177,7 @@ def draw_sentence(poses: Mapping[str, Transform], stamped: StampedTransform, ask
     return SentencePicture(poses).show(stamped, asked_ns)
 
 
-CAPTIONS = ("reading 1: where {b} sits in {a}", "reading 2: data of {a}, wanted in {b}")
+CAPTIONS = ("reading 1: the pose of {b} in {a}", "reading 2: data of {a}, wanted in {b}")
 DASHES = (0, (4.0, 2.0))
 
 

@@ -26,7 +26,7 @@ from .projection import FROM_ABOVE, OUTLINE, Eye, RobotArtists, eye_at
 LASER_P: Vector3 = (2.0, 0.0, 0.0)  # the corner in laser_frame [m]
 LASER_AT: Vector3 = (0.20, 0.0, 0.15)  # of laser_frame in base_link [m]
 BODY_SCALE = 1.2
-READINGS = ("corner", "swapped", "turn forgotten")
+READINGS = ("corner", "swapped", "rotation left out")
 
 
 def seen_from(base_T_laser: Transform, laser_p: Sequence[float]) -> dict[str, Vector3]:
@@ -36,22 +36,22 @@ def seen_from(base_T_laser: Transform, laser_p: Sequence[float]) -> dict[str, Ve
     return {
         "corner": base_T_laser.apply((x, y, z)),
         "swapped": base_T_laser.inverse().apply((x, y, z)),
-        "turn forgotten": (x + tx, y + ty, z + tz),
+        "rotation left out": (x + tx, y + ty, z + tz),
     }
 
 
 def describe_mount(yaw_rad: float) -> str:
-    """Return the figure's text: what the laser said, and three places in base_link."""
+    """Return the figure's text: what the laser measures, and three places in base_link."""
     places = seen_from(Transform.from_rpy(yaw=yaw_rad, translation=LASER_AT), LASER_P)
     truth = np.array(places["corner"])
     lines = [
         f"laser_frame at {style.fmt_all(LASER_AT)} in base_link, yaw {style.fmt(yaw_rad, 'rad', 2)}",
-        f"the laser says    {style.fmt_all(LASER_P)}  in laser_frame",
-        f"the corner is at  {style.fmt_all(places['corner'])}  in base_link",
+        f"the laser measures {style.fmt_all(LASER_P)}  in laser_frame",
+        f"the corner is at   {style.fmt_all(places['corner'])}  in base_link",
     ]
-    for name, formula in (("swapped", "laser_T_base.apply(laser_p)"), ("turn forgotten", "laser_p + translation")):
+    for name, formula in (("swapped", "laser_T_base.apply(laser_p)"), ("rotation left out", "laser_p + translation")):
         off = style.fmt(float(np.linalg.norm(np.array(places[name]) - truth)))
-        lines.append(f"{name + ':':<17} {style.fmt_all(places[name])}  off by {off}  ({formula})")
+        lines.append(f"{name + ':':<18} {style.fmt_all(places[name])}  off by {off}  ({formula})")
     return "\n".join(lines)
 
 
