@@ -91,7 +91,7 @@ def test_a_page_has_its_language_its_title_its_contents_and_the_way_on(site: Pat
     assert re.search(r"It turns by <math.*π.*</math>", chapter)
     assert "$" not in re.sub(r"<(script|style).*?</\1>", "", chapter, flags=re.DOTALL)
     assert '<a class="book-chapter" href="03_target_and_source.html">03 · 목표 좌표계와 원본 좌표계</a>' in front
-    for said in ("60분", "tflab lab --lang ko"):
+    for said in ("35분", "tflab lab --lang ko"):
         assert said in front
 
 

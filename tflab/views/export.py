@@ -121,7 +121,7 @@ def _without_widgets(notebook: Any) -> list[LiveView]:
 def _mark_folded_sections(cells: Sequence[Any]) -> None:
     """Move the heading of each collapsed section into the metadata of its cell, and mark the section's last cell."""
     depth = 0  # of the section, if one is open
-    for before, cell in zip((None, *cells[:-1]), cells, strict=True):
+    for before, cell in zip((None, *cells), cells, strict=False):
         heading = HEADING.match(cell.source) if cell.cell_type == "markdown" else None
         if before and heading and len(heading[1]) <= depth:
             before.metadata["section_ends"], depth = True, 0
