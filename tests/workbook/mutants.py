@@ -72,9 +72,13 @@ def _name(tree: ast.AST, node: ast.AST, new: ast.AST | None) -> str:
     return f"{_short(node)} -> {_short(new)}" + (f" in: {statement}" if len(statement) < 60 else "")
 
 
-def survivors(task: Task, variants: Sequence[Variant], solution: Solution) -> list[str]:
-    """Return the names of the mutants that pass: functions in any variant, values in all, for a value may be right."""
-    mutants = _mutants(task, solution)
+def survivors(task: Task, variants: Sequence[Variant], solution: Solution, choose: Callable = list) -> list[str]:
+    """Return the names of the mutants that pass: functions in any variant, values in all, for a value may be right.
+
+    Args:
+        choose: returns the mutants to try.
+    """
+    mutants = choose(_mutants(task, solution))
     enough = any if task.inputs else all
     return [
         mutant.name for mutant in mutants if enough(_passes(task, variant, solution, mutant) for variant in variants)
