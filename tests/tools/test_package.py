@@ -56,6 +56,12 @@ def test_a_package_has_what_its_nodes_import_and_runs_as_a_workspace(hop, capfd)
         (f"import rclpy\nfrom std_msgs.msg import String\n{MAIN}", URDF, {"rclpy", "std_msgs"}, True),
         (FRAME, "", set(), False),  # ours mounts base_link on base_footprint
         (FRAME, URDF, set(), True),
+        (
+            f"import rclpy\nLOG = rclpy.logging.get_logger('a')\nasync def wait():\n    rclpy.spin()\n{MAIN}",
+            "",
+            {"rclpy"},
+            True,
+        ),
     ],
 )
 def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, depends, is_published):
@@ -82,6 +88,7 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
         (["hop"], "import rclpy\nrclpy.init()\n", "rabbit.py:2: ros2 run imports this file and calls main()"),
         (["hop"], f"{MAIN}main()\n", "rabbit.py:3: ros2 run imports this file"),
         (["hop"], "def main(args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),
+        (["hop"], "def main(*, args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),
         (["hop"], "def main(:", "rabbit.py:1: invalid syntax"),
         (["hop", "hop/rabbit.py"], NODE, "hop/rabbit.py imports gait, which lies beside it: name gait.py, too"),
         (["hop"], f"import gait, sys\n{MAIN}", "rabbit.py:1: import gait in a line of its own"),

@@ -164,7 +164,8 @@ def _is_node(path: Path, tree: ast.Module) -> bool:
     """
     mains = [each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "main"]
     for each in mains:
-        if len(each.args.args) > len(each.args.defaults):
+        given = each.args
+        if len([*given.posonlyargs, *given.args]) > len(given.defaults) or None in given.kw_defaults:
             raise PackageError(f"{path}:{each.lineno}: ros2 run gives main() no arguments. Write def main(args=None):")
     for each in tree.body:
         is_guard = isinstance(each, ast.If) and "__name__" in ast.unparse(each.test)
@@ -177,11 +178,11 @@ def _is_node(path: Path, tree: ast.Module) -> bool:
 
 
 def _runs_node(statement: ast.stmt) -> bool:
-    """Return whether a statement of a module calls main() or something of rclpy when the module is imported."""
-    if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+    """Return whether an import of the module would call main(), or rclpy.init() and the like, in this statement."""
+    if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
         return False
     calls = [ast.unparse(node.func) for node in ast.walk(statement) if isinstance(node, ast.Call)]
-    return any(re.match(r"main$|rclpy\.", call) for call in calls)
+    return any(re.fullmatch(r"main|rclpy\.\w+", call) for call in calls)
 
 
 def _child_frames(tree: ast.Module) -> set[str]:
