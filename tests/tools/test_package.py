@@ -12,7 +12,7 @@ from tflab.cli import main
 from tflab.ros import workspace
 
 MAIN = "def main():\n    print(pace())\n"
-NODE = f"import numpy, nav2_msgs.msg, foo\nfrom gait import pace  # [m]\n{MAIN}"
+NODE = f"import numpy, nav2_msgs.msg, foo\nfrom  gait import pace  # [m]\n{MAIN}"
 FRAME = f"def pace(message):\n    message.child_frame_id = 'base_link'\n{MAIN}"
 URDF = "<robot name='cart'><link name='base_link'/></robot>"
 
@@ -92,6 +92,7 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
         (["hop"], "def main(:", "rabbit.py:1: invalid syntax"),
         (["hop", "hop/rabbit.py"], NODE, "hop/rabbit.py imports gait, which lies beside it: name gait.py, too"),
         (["hop"], f"import gait, sys\n{MAIN}", "rabbit.py:1: import gait in a line of its own"),
+        (["hop", "--name", "rabbit"], f"import rabbit\n{MAIN}", "rabbit.py:1: rabbit is a file and the package"),
         (["hop", "hop/cart.urdf"], MAIN, "cart.urdf cannot be a module"),
         (["hop", "hop/none.py"], MAIN, "none.py: No such file or directory"),
         (["hop", "--ws", "old"], MAIN, "exists and stays as it is. Move it away, or choose another --name or --ws"),

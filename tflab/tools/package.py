@@ -207,7 +207,9 @@ def _depends(package: str, modules: Mapping[Path, ast.Module]) -> Iterator[str]:
     for path, tree in modules.items():
         for name in {name for name, _ in _imports(tree)} - own - sys.stdlib_module_names:
             if any(path.with_name(beside).exists() for beside in (name, f"{name}.py")):
-                raise PackageError(f"{path} imports {name}, which lies beside it: name {name}.py, too. No folders")
+                raise PackageError(
+                    f"{path} imports {name}, which lies beside it: name {name}.py, too. Folders cannot be taken along"
+                )
             is_known = name in PACKAGES or name in ROSDEP_KEYS or INTERFACES.fullmatch(name)
             (keys if is_known else unknown).add(ROSDEP_KEYS.get(name, name))
     yield from (f"  <exec_depend>{key}</exec_depend>" for key in sorted(keys))
@@ -216,14 +218,17 @@ def _depends(package: str, modules: Mapping[Path, ast.Module]) -> Iterator[str]:
 
 def _text_in(package: str, path: Path, modules: Mapping[Path, ast.Module]) -> str:
     """Return the text of a file for the package, where `import gait` is `from hop import gait`."""
-    lines, own = _read(path).split("\n"), {each.stem for each in modules} - {package}
+    lines, own = _read(path).split("\n"), {each.stem for each in modules}
     for name, node in _imports(modules[path]):
         if name not in own:
             continue
         if len(node.names) > 1 and isinstance(node, ast.Import):
             raise PackageError(f"{path}:{node.lineno}: import {name} in a line of its own")
-        before, after = f"import {name}", f"from {package} import {name}"
+        if name == package:
+            raise PackageError(f"{path}:{node.lineno}: {name} is a file and the package: choose another --name")
+        before, after = "import", f"from {package} import {name}"
         if isinstance(node, ast.ImportFrom):
-            before, after = f"from {name}", f"from {package}.{name}"
-        lines[node.lineno - 1] = lines[node.lineno - 1].replace(before, after, 1)
+            before, after = "from", f"from {package}.{name}"
+        line = lines[node.lineno - 1]
+        lines[node.lineno - 1] = re.sub(rf"\b{before}\s+{name}\b", after, line, count=1)
     return "\n".join(lines)
