@@ -50,7 +50,9 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         start = markdown("# Start\n\nWelcome." if language == "en" else "# 시작\n\n환영합니다.", id="title")
         write(root / "notebooks" / language / "00_start.ipynb", language, start)
         long, longer = (markdown("word  \n" * 60, id=name) for name in ("long", "longer"))
-        cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer]
+        folded = markdown("## More", id="more", metadata={"jp-MarkdownHeadingCollapsed": True})
+        hidden = code("1 + 1", id="hidden", metadata={"jupyter": {"source_hidden": True}})
+        cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer, hidden, folded]
         write(root / "notebooks" / language / "03_target_and_source.ipynb", language, *cells)
         write(root / "exercises" / language / "E03_target_and_source.ipynb", language, markdown("# E3", id="title"))
     with pytest.MonkeyPatch.context() as patch:
