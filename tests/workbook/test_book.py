@@ -155,6 +155,9 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
     assert page.evaluate("document.documentElement.dataset.theme") != before
 
     page.goto(f"file://{site}/en/03_target_and_source.html")
+    assert page.locator(".tflab-section[open]").count() == 0
+    page.locator(".book-contents").get_by_text("More").click()
+    page.wait_for_selector(".tflab-section[open]")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     assert page.locator(".book-answers dd").all_text_contents() == ["\nYou forgot the turn.\n"]
     page.evaluate("dispatchEvent(new Event('afterprint'))")

@@ -15,6 +15,14 @@
   });
   if (matchMedia("(max-width: 860px)").matches) byClass("book-contents").firstElementChild.open = false;
 
+  // -- a link to the heading of a folded section opens the section
+  function openTarget() {
+    const section = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest(".tflab-section");
+    if (section) section.open = true;
+  }
+  openTarget();
+  addEventListener("hashchange", openTarget);
+
   // -- what scrolls sideways is reached by key
   for (const one of document.querySelectorAll("main pre, main table, main .jp-OutputArea-output")) {
     if (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1) one.tabIndex = 0;
