@@ -171,6 +171,11 @@ def test_the_cheat_sheet_is_one_page_of_a4(language: str, site: Path, page) -> N
     page.set_viewport_size({"width": 688, "height": 500})  # A4 within the margins of book.css
     page.goto((site / language / "conventions.html").as_uri())
     assert page.evaluate("document.documentElement.scrollHeight") <= 1001
+    page.goto((site / language / "index.html").as_uri())
+    sizes_px = page.evaluate(
+        "[...document.querySelectorAll('main p')].map((p) => parseFloat(getComputedStyle(p).fontSize))"
+    )
+    assert min(sizes_px) > 14
 
 
 @pytest.mark.browser
