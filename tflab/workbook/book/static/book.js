@@ -10,8 +10,8 @@
   show();
   byClass("book-theme").addEventListener("click", () => {
     root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
-    localStorage.setItem("tflab-theme", root.dataset.theme);
     show();
+    localStorage.setItem("tflab-theme", root.dataset.theme); // refused in a sandbox, such as JupyterLab's HTML viewer
   });
   if (matchMedia("(max-width: 860px)").matches) byClass("book-contents").firstElementChild.open = false;
 
