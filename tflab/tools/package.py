@@ -68,7 +68,7 @@ def main(words: Sequence[str]) -> int:
     name = options.name or folder.name
     target = Path(options.ws, "src", name)
     try:
-        _check_place(name, folder, target)
+        _check_place(name, options.folder, folder, target)
         modules = _modules(folder, [*map(Path, options.files)])
         nodes = [path.stem for path, tree in modules.items() if _is_node(path, tree)]
         if not nodes:
@@ -83,9 +83,9 @@ def main(words: Sequence[str]) -> int:
     return 0
 
 
-def _check_place(name: str, folder: Path, target: Path) -> None:
+def _check_place(name: str, word: str, folder: Path, target: Path) -> None:
     if folder.is_file():
-        raise PackageError(f"{folder.name} is a file. The package comes first: tflab package my_robot_py {folder.name}")
+        raise PackageError(f"{word} is a file. Name the package first: tflab package my_robot_py {word}")
     if (folder / "package.xml").is_file():
         raise PackageError(f"{folder} is a package already. Run it with: tflab run {folder}")
     if not NAME.fullmatch(name) or iskeyword(name) or name in TAKEN:
@@ -153,7 +153,7 @@ def _parsed(path: Path) -> ast.Module:
     try:
         return ast.parse(_read(path), str(path))
     except SyntaxError as fault:
-        raise PackageError(f"{path}:{fault.lineno}: {fault.msg}") from None
+        raise PackageError(f"{path}:{fault.lineno or 1}: {fault.msg}") from None
 
 
 def _is_node(path: Path, tree: ast.Module) -> bool:
@@ -207,9 +207,7 @@ def _depends(package: str, modules: Mapping[Path, ast.Module]) -> Iterator[str]:
     for path, tree in modules.items():
         for name in {name for name, _ in _imports(tree)} - own - sys.stdlib_module_names:
             if any(path.with_name(beside).exists() for beside in (name, f"{name}.py")):
-                raise PackageError(
-                    f"{path} imports {name}, which lies beside it: name {name}.py, too. Folders cannot be taken along"
-                )
+                raise PackageError(f"{path} imports {name} from beside it: name {name}.py, too. Folders are left out")
             is_known = name in PACKAGES or name in ROSDEP_KEYS or INTERFACES.fullmatch(name)
             (keys if is_known else unknown).add(ROSDEP_KEYS.get(name, name))
     yield from (f"  <exec_depend>{key}</exec_depend>" for key in sorted(keys))
@@ -229,6 +227,5 @@ def _text_in(package: str, path: Path, modules: Mapping[Path, ast.Module]) -> st
         before, after = "import", f"from {package} import {name}"
         if isinstance(node, ast.ImportFrom):
             before, after = "from", f"from {package}.{name}"
-        line = lines[node.lineno - 1]
-        lines[node.lineno - 1] = re.sub(rf"\b{before}\s+{name}\b", after, line, count=1)
+        lines[node.lineno - 1] = re.sub(rf"\b{before}\s+{name}\b", after, lines[node.lineno - 1], count=1)
     return "\n".join(lines)
