@@ -140,7 +140,7 @@ def _read(path: Path) -> str:
 
 
 def _modules(folder: Path, files: Sequence[Path]) -> dict[Path, ast.Module]:
-    """Return the files that are meant: those that are named, else those in the folder."""
+    """Return the named files, or else the files of the folder, each with its syntax tree."""
     files = files or sorted(path for path in folder.glob("*.py") if not NO_NODE.fullmatch(path.stem))
     if len({path.stem for path in files}) < len(files):
         raise PackageError("two of the files have the same name")
@@ -186,7 +186,7 @@ def _runs_node(statement: ast.stmt) -> bool:
 
 
 def _child_frames(tree: ast.Module) -> set[str]:
-    """Return the frames to which a file gives a parent, as far as they are plain from it."""
+    """Return the child frames that a file names as literals."""
     given = [node for node in ast.walk(tree) if isinstance(node, ast.Assign | ast.keyword)]
     named = [node.value for node in given if "child_frame_id" in ast.unparse(node)]
     return {str(value.value) for value in named if isinstance(value, ast.Constant)}
