@@ -11,6 +11,7 @@ from tflab import ros
 from tflab.cli import main
 from tflab.ros import workspace
 
+GUARD = "if __name__ == '__main__':\n    "
 MAIN = "def main():\n    print(pace())\n"
 NODE = f"import numpy, nav2_msgs.msg, foo\nfrom  gait import pace  # [m]\n{MAIN}"
 FRAME = f"def pace(message):\n    message.child_frame_id = 'base_link'\n{MAIN}"
@@ -24,7 +25,7 @@ def hop(tmp_path, monkeypatch):
     for name in ("_used", "_undefined"):
         monkeypatch.setattr(workspace, name, {})
     (tmp_path / "hop").mkdir()
-    (tmp_path / "hop/gait.py").write_text("def pace():\n    return 1.5\n")
+    (tmp_path / "hop/gait.py").write_text(f"def pace():\n    return 1.5\n{GUARD}print(pace())\n")
     yield tmp_path / "hop"
     ros.deactivate()
     for name in [name for name in sys.modules if name.partition(".")[0] == "hop"]:
@@ -90,6 +91,7 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
             "hop/rabbit.py is a file. Name the package first: tflab package my_robot_py hop/rabbit.py",
         ),
         (["hop"], "import rclpy\nrclpy.init()\n", "rabbit.py:2: ros2 run imports this file and calls main()"),
+        (["hop"], f"{GUARD}rclpy.init()\n", "rabbit.py:1: ros2 run imports this file and calls main()"),
         (["hop"], f"{MAIN}main()\n", "rabbit.py:3: ros2 run imports this file"),
         (["hop"], "def main(args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),
         (["hop"], "def main(*, args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),

@@ -169,7 +169,7 @@ def _is_node(path: Path, tree: ast.Module) -> bool:
             raise PackageError(f"{path}:{each.lineno}: ros2 run gives main() no arguments. Write def main(args=None):")
     for each in tree.body:
         is_guard = isinstance(each, ast.If) and "__name__" in ast.unparse(each.test)
-        if (is_guard and not mains) or (not is_guard and _runs_node(each)):
+        if _runs_node(each) and not (is_guard and mains):
             raise PackageError(
                 f"{path}:{each.lineno}: ros2 run imports this file and calls main(). Put this into a function main(), "
                 'and end the file with: if __name__ == "__main__": main()'
