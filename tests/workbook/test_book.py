@@ -159,6 +159,7 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
     page.locator(".book-contents").get_by_text("More").click()
     page.wait_for_selector(".tflab-section[open]")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator(".book-answers dt").all_text_contents() == ["Predict · I said 2"]
     assert page.locator(".book-answers dd").all_text_contents() == ["\nYou forgot the turn.\n"]
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.locator(".book-answers").count() == 0

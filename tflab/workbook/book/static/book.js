@@ -101,6 +101,7 @@
     const main = document.querySelector("main");
     for (const one of main.querySelectorAll(".tflab-section:not([open])")) one.open = one.dataset.printed = true;
     const folded = [...main.querySelectorAll("details:not([open], .tflab-code)")];
+    const headings = [...main.querySelectorAll(":is(h1, h2, h3)[id]")];
     if (folded.length) {
       const answers = document.createElement("section");
       answers.className = "book-answers";
@@ -108,7 +109,9 @@
       const list = document.createElement("dl");
       for (const one of folded) {
         const term = document.createElement("dt"), said = document.createElement("dd");
-        term.textContent = one.querySelector("summary")?.textContent ?? "";
+        const above = headings.findLast((each) => each.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING);
+        const section = above?.textContent.replace("¶", ""), summary = one.querySelector("summary")?.textContent;
+        term.textContent = [section, summary].filter(Boolean).join(" · ");
         for (const node of one.childNodes) if (node.nodeName !== "SUMMARY") said.append(node.cloneNode(true));
         list.append(term, said);
       }
