@@ -11,8 +11,9 @@ from tflab import ros
 from tflab.cli import main
 from tflab.ros import workspace
 
+GUARD = "if __name__ == '__main__':\n    "
 MAIN = "def main():\n    print(pace())\n"
-NODE = f"import numpy, nav2_msgs.msg, foo\nfrom gait import pace  # [m]\n{MAIN}"
+NODE = f"import numpy, nav2_msgs.msg, foo\nfrom  gait import pace  # [m]\n{MAIN}"
 FRAME = f"def pace(message):\n    message.child_frame_id = 'base_link'\n{MAIN}"
 URDF = "<robot name='cart'><link name='base_link'/></robot>"
 
@@ -24,7 +25,7 @@ def hop(tmp_path, monkeypatch):
     for name in ("_used", "_undefined"):
         monkeypatch.setattr(workspace, name, {})
     (tmp_path / "hop").mkdir()
-    (tmp_path / "hop/gait.py").write_text("def pace():\n    return 1.5\n")
+    (tmp_path / "hop/gait.py").write_text(f"def pace():\n    return 1.5\n{GUARD}print(pace())\n")
     yield tmp_path / "hop"
     ros.deactivate()
     for name in [name for name in sys.modules if name.partition(".")[0] == "hop"]:
@@ -56,6 +57,12 @@ def test_a_package_has_what_its_nodes_import_and_runs_as_a_workspace(hop, capfd)
         (f"import rclpy\nfrom std_msgs.msg import String\n{MAIN}", URDF, {"rclpy", "std_msgs"}, True),
         (FRAME, "", set(), False),  # ours mounts base_link on base_footprint
         (FRAME, URDF, set(), True),
+        (
+            f"import rclpy\nLOG = rclpy.logging.get_logger('a')\nasync def wait():\n    rclpy.spin()\n{MAIN}",
+            "",
+            {"rclpy"},
+            True,
+        ),
     ],
 )
 def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, depends, is_published):
@@ -78,13 +85,20 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
         (["hop"], "x = 1", "has no node: a Python file with a function main()"),
         (["hop", "--name", "Hop"], MAIN, 'cannot have the name "Hop"'),
         (["hop", "--name", "rclpy"], MAIN, 'cannot have the name "rclpy"'),
-        (["hop/rabbit.py"], MAIN, "is a file. The package comes first: tflab package my_robot_py rabbit.py"),
+        (
+            ["hop/rabbit.py"],
+            MAIN,
+            "hop/rabbit.py is a file. Name the package first: tflab package my_robot_py hop/rabbit.py",
+        ),
         (["hop"], "import rclpy\nrclpy.init()\n", "rabbit.py:2: ros2 run imports this file and calls main()"),
+        (["hop"], f"{GUARD}rclpy.init()\n", "rabbit.py:1: ros2 run imports this file and calls main()"),
         (["hop"], f"{MAIN}main()\n", "rabbit.py:3: ros2 run imports this file"),
         (["hop"], "def main(args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),
+        (["hop"], "def main(*, args):\n    pass\n", "rabbit.py:1: ros2 run gives main() no arguments"),
         (["hop"], "def main(:", "rabbit.py:1: invalid syntax"),
-        (["hop", "hop/rabbit.py"], NODE, "hop/rabbit.py imports gait, which lies beside it: name gait.py, too"),
+        (["hop", "hop/rabbit.py"], NODE, "hop/rabbit.py imports gait from beside it: name gait.py, too"),
         (["hop"], f"import gait, sys\n{MAIN}", "rabbit.py:1: import gait in a line of its own"),
+        (["hop", "--name", "rabbit"], f"import rabbit\n{MAIN}", "rabbit.py:1: rabbit is a file and the package"),
         (["hop", "hop/cart.urdf"], MAIN, "cart.urdf cannot be a module"),
         (["hop", "hop/none.py"], MAIN, "none.py: No such file or directory"),
         (["hop", "--ws", "old"], MAIN, "exists and stays as it is. Move it away, or choose another --name or --ws"),

@@ -158,6 +158,7 @@ def test_what_jupyterlab_collapses_is_folded_and_its_heading_stays_in_sight(tmp_
         new.new_markdown_cell("## More\n\nIf you like.", id="more", metadata=collapsed),
         new.new_code_cell("draw()", id="draw", metadata={"jupyter": {"source_hidden": True}}),
         new.new_markdown_cell("## Last", id="last", metadata=collapsed),
+        new.new_markdown_cell("### Inside", id="inside", metadata=collapsed),
         new.new_markdown_cell("### So?\n\nIt turned.", id="told", metadata={"tags": ["predicted"]}),
     ]
     nbformat.write(new.new_notebook(cells=cells), tmp_path / "page.ipynb")

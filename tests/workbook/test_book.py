@@ -50,7 +50,9 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
         start = markdown("# Start\n\nWelcome." if language == "en" else "# 시작\n\n환영합니다.", id="title")
         write(root / "notebooks" / language / "00_start.ipynb", language, start)
         long, longer = (markdown("word  \n" * 60, id=name) for name in ("long", "longer"))
-        cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer]
+        folded = markdown("## More", id="more", metadata={"jp-MarkdownHeadingCollapsed": True})
+        hidden = code("1 + 1", id="hidden", metadata={"jupyter": {"source_hidden": True}})
+        cells = [markdown(text, id="title"), long, code(FIGURE, id="figure"), longer, hidden, folded]
         write(root / "notebooks" / language / "03_target_and_source.ipynb", language, *cells)
         write(root / "exercises" / language / "E03_target_and_source.ipynb", language, markdown("# E3", id="title"))
     with pytest.MonkeyPatch.context() as patch:
@@ -153,7 +155,11 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
     assert page.evaluate("document.documentElement.dataset.theme") != before
 
     page.goto(f"file://{site}/en/03_target_and_source.html")
+    assert page.locator(".tflab-section[open]").count() == 0
+    page.locator(".book-contents").get_by_text("More").click()
+    page.wait_for_selector(".tflab-section[open]")
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator(".book-answers dt").all_text_contents() == ["Predict · I said 2"]
     assert page.locator(".book-answers dd").all_text_contents() == ["\nYou forgot the turn.\n"]
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.locator(".book-answers").count() == 0
@@ -166,6 +172,11 @@ def test_the_cheat_sheet_is_one_page_of_a4(language: str, site: Path, page) -> N
     page.set_viewport_size({"width": 688, "height": 500})  # A4 within the margins of book.css
     page.goto((site / language / "conventions.html").as_uri())
     assert page.evaluate("document.documentElement.scrollHeight") <= 1001
+    page.goto((site / language / "index.html").as_uri())
+    sizes_px = page.evaluate(
+        "[...document.querySelectorAll('main p')].map((p) => parseFloat(getComputedStyle(p).fontSize))"
+    )
+    assert min(sizes_px) > 14
 
 
 @pytest.mark.browser

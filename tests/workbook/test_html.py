@@ -106,6 +106,12 @@ def test_export_of_a_file_that_is_no_notebook_writes_nothing(text: str, tmp_path
     assert not (tmp_path / "site").exists()
 
 
+def test_export_of_a_notebook_without_cells_writes_a_page(tmp_path: Path) -> None:
+    nbformat.write(nbformat.v4.new_notebook(), tmp_path / "empty.ipynb")
+    assert main([str(tmp_path / "empty.ipynb"), "--out", str(tmp_path / "out")]) == 0
+    assert "<title>empty · tflab</title>" in (tmp_path / "out/empty.html").read_text(encoding="utf-8")
+
+
 def test_export_counts_the_views_that_were_not_stored(tmp_path: Path, capsys) -> None:
     notebook = executed(tmp_path, {VIEW: {"model_id": "one"}}, {VIEW: {"model_id": "two"}})
     assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0

@@ -148,20 +148,6 @@ def test_a_panel_names_its_picture_and_its_sliders(lab, page) -> None:
     assert [each["id"] for each in found.response["violations"]] == []
 
 
-def test_a_still_twin_stays_folded_when_all_is_run_and_unfolds_when_it_is_run_alone(lab, page) -> None:
-    live = nbformat.v4.new_code_cell("1 + 1", metadata={"tags": ["interactive"]})
-    twin = nbformat.v4.new_code_cell("2 + 2", metadata={"jupyter": {"outputs_hidden": True}})
-    open_page(lab, page, "twins.ipynb", live, twin, *(nbformat.v4.new_code_cell("3 + 3") for _ in range(3)))
-    page.wait_for_selector(".tflab-page")
-    page.wait_for_timeout(500)  # the extension looks five times a second
-    lab.run_all(page)
-    folded = "jupyterapp.shell.currentWidget.content.widgets.map((cell) => cell.outputHidden)"
-    assert page.evaluate(folded) == [False, True, False, False, False]
-    page.evaluate("jupyterapp.shell.currentWidget.content.activeCellIndex = 1")
-    page.evaluate("jupyterapp.commands.execute('notebook:run-cell')")
-    page.wait_for_function(f"!({folded})[1]")
-
-
 def test_a_drawing_that_is_wider_than_its_column_shrinks_or_says_that_it_scrolls(lab, page) -> None:
     svg = '<svg xmlns="http://www.w3.org/2000/svg" width="{0}" height="40"><rect width="{0}" height="40"/></svg>'
     cells = [f"from IPython.display import SVG\nSVG('{svg.format(width)}')" for width in (900, 2000)]

@@ -10,7 +10,7 @@
     patient           a faulty robot as plain data
     simulate_patient  how a patient is made
     archive           many patients, none made twice
-    visit             an examination of a patient, and its steps
+    visit             an examination of a patient
     practice          patients to practise on
     panel             a visit with controls
 

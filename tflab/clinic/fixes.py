@@ -3,8 +3,8 @@
     "set the laser's clock"    the cause is gone
     "stamp on arrival"         the error is gone; the points are still in the wrong place
 
-A plaster takes the symptom away, or nothing at all.  What a whole diagnosis says, of
-each cause, stands here too: whose place is wrong, who has to change, and how.
+A plan for each cause stands here too: the frame whose pose is wrong, the node that
+has to change, and the fix.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ __all__ = ["DIAGNOSES", "EFFECTIVE_FIXES", "WORKAROUNDS", "RepairPlan"]
 
 
 class RepairPlan(NamedTuple):
-    """Whose place is not right, who has to change, and how."""
+    """The frame whose pose is wrong, the node that has to change, and the fix."""
 
     frame: str
     owner: str

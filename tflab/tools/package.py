@@ -68,7 +68,7 @@ def main(words: Sequence[str]) -> int:
     name = options.name or folder.name
     target = Path(options.ws, "src", name)
     try:
-        _check_place(name, folder, target)
+        _check_place(name, options.folder, folder, target)
         modules = _modules(folder, [*map(Path, options.files)])
         nodes = [path.stem for path, tree in modules.items() if _is_node(path, tree)]
         if not nodes:
@@ -83,9 +83,9 @@ def main(words: Sequence[str]) -> int:
     return 0
 
 
-def _check_place(name: str, folder: Path, target: Path) -> None:
+def _check_place(name: str, word: str, folder: Path, target: Path) -> None:
     if folder.is_file():
-        raise PackageError(f"{folder.name} is a file. The package comes first: tflab package my_robot_py {folder.name}")
+        raise PackageError(f"{word} is a file. Name the package first: tflab package my_robot_py {word}")
     if (folder / "package.xml").is_file():
         raise PackageError(f"{folder} is a package already. Run it with: tflab run {folder}")
     if not NAME.fullmatch(name) or iskeyword(name) or name in TAKEN:
@@ -140,7 +140,7 @@ def _read(path: Path) -> str:
 
 
 def _modules(folder: Path, files: Sequence[Path]) -> dict[Path, ast.Module]:
-    """Return the files that are meant: those that are named, else those in the folder."""
+    """Return the named files, or else the files of the folder, each with its syntax tree."""
     files = files or sorted(path for path in folder.glob("*.py") if not NO_NODE.fullmatch(path.stem))
     if len({path.stem for path in files}) < len(files):
         raise PackageError("two of the files have the same name")
@@ -153,7 +153,7 @@ def _parsed(path: Path) -> ast.Module:
     try:
         return ast.parse(_read(path), str(path))
     except SyntaxError as fault:
-        raise PackageError(f"{path}:{fault.lineno}: {fault.msg}") from None
+        raise PackageError(f"{path}:{fault.lineno or 1}: {fault.msg}") from None
 
 
 def _is_node(path: Path, tree: ast.Module) -> bool:
@@ -164,11 +164,12 @@ def _is_node(path: Path, tree: ast.Module) -> bool:
     """
     mains = [each for each in tree.body if isinstance(each, ast.FunctionDef) and each.name == "main"]
     for each in mains:
-        if len(each.args.args) > len(each.args.defaults):
+        given = each.args
+        if len([*given.posonlyargs, *given.args]) > len(given.defaults) or None in given.kw_defaults:
             raise PackageError(f"{path}:{each.lineno}: ros2 run gives main() no arguments. Write def main(args=None):")
     for each in tree.body:
         is_guard = isinstance(each, ast.If) and "__name__" in ast.unparse(each.test)
-        if (is_guard and not mains) or (not is_guard and _runs_node(each)):
+        if _runs_node(each) and not (is_guard and mains):
             raise PackageError(
                 f"{path}:{each.lineno}: ros2 run imports this file and calls main(). Put this into a function main(), "
                 'and end the file with: if __name__ == "__main__": main()'
@@ -177,15 +178,15 @@ def _is_node(path: Path, tree: ast.Module) -> bool:
 
 
 def _runs_node(statement: ast.stmt) -> bool:
-    """Return whether a statement of a module calls main() or something of rclpy when the module is imported."""
-    if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+    """Return whether an import of the module would call main(), or rclpy.init() and the like, in this statement."""
+    if isinstance(statement, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
         return False
     calls = [ast.unparse(node.func) for node in ast.walk(statement) if isinstance(node, ast.Call)]
-    return any(re.match(r"main$|rclpy\.", call) for call in calls)
+    return any(re.fullmatch(r"main|rclpy\.\w+", call) for call in calls)
 
 
 def _child_frames(tree: ast.Module) -> set[str]:
-    """Return the frames to which a file gives a parent, as far as they are plain from it."""
+    """Return the child frames that a file names as literals."""
     given = [node for node in ast.walk(tree) if isinstance(node, ast.Assign | ast.keyword)]
     named = [node.value for node in given if "child_frame_id" in ast.unparse(node)]
     return {str(value.value) for value in named if isinstance(value, ast.Constant)}
@@ -206,7 +207,7 @@ def _depends(package: str, modules: Mapping[Path, ast.Module]) -> Iterator[str]:
     for path, tree in modules.items():
         for name in {name for name, _ in _imports(tree)} - own - sys.stdlib_module_names:
             if any(path.with_name(beside).exists() for beside in (name, f"{name}.py")):
-                raise PackageError(f"{path} imports {name}, which lies beside it: name {name}.py, too. No folders")
+                raise PackageError(f"{path} imports {name} from beside it: name {name}.py, too. Folders are left out")
             is_known = name in PACKAGES or name in ROSDEP_KEYS or INTERFACES.fullmatch(name)
             (keys if is_known else unknown).add(ROSDEP_KEYS.get(name, name))
     yield from (f"  <exec_depend>{key}</exec_depend>" for key in sorted(keys))
@@ -215,14 +216,16 @@ def _depends(package: str, modules: Mapping[Path, ast.Module]) -> Iterator[str]:
 
 def _text_in(package: str, path: Path, modules: Mapping[Path, ast.Module]) -> str:
     """Return the text of a file for the package, where `import gait` is `from hop import gait`."""
-    lines, own = _read(path).split("\n"), {each.stem for each in modules} - {package}
+    lines, own = _read(path).split("\n"), {each.stem for each in modules}
     for name, node in _imports(modules[path]):
         if name not in own:
             continue
         if len(node.names) > 1 and isinstance(node, ast.Import):
             raise PackageError(f"{path}:{node.lineno}: import {name} in a line of its own")
-        before, after = f"import {name}", f"from {package} import {name}"
+        if name == package:
+            raise PackageError(f"{path}:{node.lineno}: {name} is a file and the package: choose another --name")
+        before, after = "import", f"from {package} import {name}"
         if isinstance(node, ast.ImportFrom):
-            before, after = f"from {name}", f"from {package}.{name}"
-        lines[node.lineno - 1] = lines[node.lineno - 1].replace(before, after, 1)
+            before, after = "from", f"from {package}.{name}"
+        lines[node.lineno - 1] = re.sub(rf"\b{before}\s+{name}\b", after, lines[node.lineno - 1], count=1)
     return "\n".join(lines)

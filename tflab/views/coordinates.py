@@ -125,11 +125,8 @@ class _Map:
     """One frame's map: the robot, the frame's ruler, and the thing."""
 
     def __init__(self, picture: Picture, ax: Axes, frame: str) -> None:
-        left, middle, height_px = (
-            EDGE_PX / WIDTH_PX,
-            sum(ax.get_position(original=True).intervaly) / 2,
-            picture.size_px[1],
-        )
+        left, height_px = EDGE_PX / WIDTH_PX, picture.size_px[1]
+        middle = sum(ax.get_position(original=True).intervaly) / 2
 
         def write(up_px: float, text: str, **how):
             return picture.figure.text(left, middle + up_px / height_px, text, va="center", **how)

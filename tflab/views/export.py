@@ -125,7 +125,7 @@ def _mark_folded_sections(cells: Sequence[Any]) -> None:
         heading = HEADING.match(cell.source) if cell.cell_type == "markdown" else None
         if before and heading and len(heading[1]) <= depth:
             before.metadata["section_ends"], depth = True, 0
-        if heading and cell.metadata.get(COLLAPSED_HEADING):
+        if heading and not depth and cell.metadata.get(COLLAPSED_HEADING):  # what is inside a section stays unfolded
             cell.metadata["section"], depth = heading[0], len(heading[1])
             cell.source = cell.source[heading.end() :]
     if depth:

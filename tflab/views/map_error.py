@@ -30,11 +30,8 @@ CAPTION_PX, LINE_PX, TITLE_PX, GAP_PX, EDGE_PX, TICKS_PX = 62, 14, 34, 18, 16, 5
 LOWEST_PX, HIGHEST_PX = 130, 360
 MARGIN_M = 0.3
 RING_PT = 11.0
-NARROW_PX, ENLARGED_PX, ENLARGED_PART = (
-    540,
-    240,
-    1.3,
-)  # how wide both are, how tall the lower is; its half height is this many times the largest error
+NARROW_PX, ENLARGED_PX = 540, 240  # of `draw_detections`: the width, and the height of the enlarged part
+ENLARGED_PART = 1.3  # half the height of the enlarged part, in largest errors
 
 
 class PointErrors(NamedTuple):
@@ -136,7 +133,7 @@ def _draw_panel(ax, points: np.ndarray, walls: Sequence[Wall], things: Sequence[
 
 
 def _draw_ticks(ax, with_y: bool, below_pt: float) -> None:
-    """Give axes ticks in metres, and names that tell the frame, `map`; that of x stands so far below the axes."""
+    """Give axes ticks in metres, and labels with the frame `map`; the label of x stands `below_pt` below the axes."""
     from matplotlib.ticker import MaxNLocator
 
     for axis in (ax.xaxis, ax.yaxis):

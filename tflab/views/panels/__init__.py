@@ -8,7 +8,7 @@
     geometry    rotations, camera axes, a turned sensor, coordinates, joints
     timing      transform rate, latency, timeline, clocks, late joiners
     lookups     target and source, the tree
-    diagnosis   tools, visits
+    diagnosis   tools
 
 A page shows a panel by naming it in the last line of a cell; `.close()` frees it.
 """

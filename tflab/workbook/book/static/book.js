@@ -10,10 +10,18 @@
   show();
   byClass("book-theme").addEventListener("click", () => {
     root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
-    localStorage.setItem("tflab-theme", root.dataset.theme);
     show();
+    localStorage.setItem("tflab-theme", root.dataset.theme); // refused in a sandbox, such as JupyterLab's HTML viewer
   });
   if (matchMedia("(max-width: 860px)").matches) byClass("book-contents").firstElementChild.open = false;
+
+  // -- a link to the heading of a folded section opens the section
+  function openTarget() {
+    const section = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest(".tflab-section");
+    if (section) section.open = true;
+  }
+  openTarget();
+  addEventListener("hashchange", openTarget);
 
   // -- what scrolls sideways is reached by key
   for (const one of document.querySelectorAll("main pre, main table, main .jp-OutputArea-output")) {
@@ -93,6 +101,7 @@
     const main = document.querySelector("main");
     for (const one of main.querySelectorAll(".tflab-section:not([open])")) one.open = one.dataset.printed = true;
     const folded = [...main.querySelectorAll("details:not([open], .tflab-code)")];
+    const headings = [...main.querySelectorAll(":is(h1, h2, h3)[id]")];
     if (folded.length) {
       const answers = document.createElement("section");
       answers.className = "book-answers";
@@ -100,7 +109,9 @@
       const list = document.createElement("dl");
       for (const one of folded) {
         const term = document.createElement("dt"), said = document.createElement("dd");
-        term.textContent = one.querySelector("summary")?.textContent ?? "";
+        const above = headings.findLast((each) => each.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING);
+        const section = above?.textContent.replace("¶", ""), summary = one.querySelector("summary")?.textContent;
+        term.textContent = [section, summary].filter(Boolean).join(" · ");
         for (const node of one.childNodes) if (node.nodeName !== "SUMMARY") said.append(node.cloneNode(true));
         list.append(term, said);
       }

@@ -13,7 +13,6 @@
 //   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
 //   a dotted word                    reached by key, and by touch      its explanation waits for a pointer
 //   a narrow window                  the list of files is folded       of a page nothing could be read
-//   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
 // there, notebooks that are none of ours get names for their pictures and sliders, keys for their menus, and nothing
@@ -147,23 +146,6 @@
     if (!code.lineWrap) notebook.editorConfig = { ...others, code: { ...code, lineWrap: true } };
   }
 
-  const twins = new WeakSet();
-
-  // Whoever runs a still twin alone wants to see it; with all others, it says what moves right above it.
-  function keepFolded(notebook) {
-    notebook.widgets.forEach((cell, place) => {
-      const isTwin = notebook.widgets[place - 1]?.model.getMetadata("tags")?.includes("interactive")
-        && cell.model.getMetadata("jupyter")?.outputs_hidden;
-      if (!isTwin || twins.has(cell)) return;
-      twins.add(cell);
-      cell.model.stateChanged.connect((_, change) => {
-        if (change.name !== "executionCount" || !change.newValue) return;
-        const ahead = notebook.activeCellIndex - notebook.widgets.indexOf(cell);
-        if (ahead !== 0 && ahead !== 1) cell.outputHidden = true;
-      });
-    });
-  }
-
   // In a narrow window the list of files leaves a page a few letters a line. Whoever opens it again keeps it.
   let hasRoom = false;
 
@@ -180,7 +162,6 @@
       const language = ours && (ours.language === "ko" ? "ko" : "en");
       if (ours) makeRoom(shell);
       if (ours) dress(content, language);
-      if (ours) keepFolded(content);
       if (ours) for (const word of content.node.querySelectorAll("abbr[title]:not([tabindex])")) word.tabIndex = 0;
       for (const cell of content?.widgets ?? []) {
         const area = cell.outputArea;
