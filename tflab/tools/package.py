@@ -72,7 +72,13 @@ def main(words: Sequence[str]) -> int:
         modules = _modules(folder, [*map(Path, options.files)])
         nodes = [path.stem for path, tree in modules.items() if _is_node(path, tree)]
         if not nodes:
-            raise PackageError(f"{options.folder} has no node: a Python file with a function main()")
+            is_there = folder.is_dir() or options.files
+            wrong = (
+                "has no node: a Python file with a function main()"
+                if is_there
+                else "is no folder, and no file is named"
+            )
+            raise PackageError(f"{options.folder} {wrong}")
         texts = _package(name, folder, modules, nodes)
         _write(target, texts)
     except (PackageError, UrdfError) as fault:
