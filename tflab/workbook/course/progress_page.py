@@ -190,8 +190,8 @@ class ProgressPage:
         lines += ["", forms] if forms else []
         for title, goals in self._goals():
             lines += ["", f"{title} ({label['ticks']})"]
-            for number, goal in goals:
-                lines.append(f"  {STATES[goal.state]} {number:>2}  {goal.goal.words.say(self._language)}")
+            for name, goal in goals:
+                lines.append(f"  {STATES[goal.state]} {name:>3}  {goal.goal.words.say(self._language)}")
                 lines += [f"        {line}" for line in self._details(goal)]
         return "\n".join(lines)
 
@@ -218,12 +218,12 @@ class ProgressPage:
     def _labels(self) -> dict[str, str]:
         return {key: self._say(key) for key in ("title", "chapters", "squares", "ticks")}
 
-    def _goals(self) -> list[tuple[str, list[tuple[int, GoalProgress]]]]:
-        """Return the objectives and the checklist, without goals whose tasks are not here."""
-        both = (("objectives", self._shown.objectives), ("checklist", self._shown.checklist))
+    def _goals(self) -> list[tuple[str, list[tuple[str, GoalProgress]]]]:
+        """Return the objectives, 1 to 8, and the checklist, C1 to C14, without goals whose tasks are not here."""
+        both = (("objectives", "", self._shown.objectives), ("checklist", "C", self._shown.checklist))
         return [
-            (self._say(title), [(number, goal) for number, goal in enumerate(goals, start=1) if goal.state != "later"])
-            for title, goals in both
+            (self._say(title), [(f"{c}{n}", goal) for n, goal in enumerate(goals, start=1) if goal.state != "later"])
+            for title, c, goals in both
         ]
 
     def _details(self, goal: GoalProgress) -> Iterator[str]:
