@@ -546,11 +546,17 @@ def lidars(*options):
 
 WHOSE_CLOCK = {
     "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
+    "counted from power-on beside a simulation": (
+        SIMULATED,
+        lidars(WALL_MS - 9_000_000, 9_001_000),
+        "time-uptime",
+        "error",
+    ),
     "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
     "of another date, in most sources": (
         ON_THE_WALL[1:],
         lidars(-7_200_000, WALL_MS + 7_200_000),
-        "time-date",
+        "time-date-ahead",
         "error",
     ),
     "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
@@ -569,7 +575,11 @@ def test_topics_of_one_device_with_stamps(edges, sensors, code, severity):
     assert [(f.code, f.severity, f.topic, f.siblings) for f in findings] == [
         (code, severity, "/lidar/imu", ("/lidar/points",))
     ]
-    assert ("use_sim_time" in describe(findings[0]).cause) == (code in ("time-wall", "time-simulated"))
+    said = describe(findings[0])
+    assert ("use_sim_time" in said.cause) == (code in ("time-wall", "time-simulated"))
+    if code in ("time-date", "time-date-ahead", "time-uptime"):
+        is_ahead = np.mean(sensors[0].stamp_ns) > edges[-2][0].stamped.stamp_ns
+        assert ("ahead of the others" if is_ahead else "behind the others") in said.evidence
 
 
 def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():

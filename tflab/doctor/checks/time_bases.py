@@ -18,6 +18,7 @@ import numpy as np
 
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, OtherSamples, is_stamped
 from ..findings import Finding, Severity
@@ -55,13 +56,16 @@ def other_times(evidence: Evidence) -> Iterator[Finding]:
 
     for group in in_groups(separated, is_one_clock):
         parts = [samples for _, samples in group]
+        usual_s = _usual_s(evidence, parts[0].source)
         facts = {
             "count": sum(len(part.source.stamp_ns) for part in parts),
             "total": sum(part.total for part in parts),
-            "away": f"{abs(_usual_s(evidence, parts[0].source)):.0f}",
+            "away": f"{abs(usual_s):.0f}",
+            "way": Text("behind", "과거") if usual_s > 0.0 else Text("ahead of", "미래"),
             "stamp": f"{parts[0].source.stamp_ns[0] / NSEC_PER_SEC:.1f}",
         }
-        yield finding_of_sources(group[0][0], _severity_of(parts), [part.source for part in parts], facts)
+        code = "time-date-ahead" if group[0][0] == "time-date" and usual_s < 0.0 else group[0][0]
+        yield finding_of_sources(code, _severity_of(parts), [part.source for part in parts], facts)
 
 
 def other_hosts(evidence: Evidence) -> Iterator[Finding]:
