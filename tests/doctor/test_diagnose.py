@@ -385,10 +385,15 @@ def test_many_pieces_are_one_finding():
     assert [f.facts["count"] for f in trees] == [51]
 
 
-def test_edges_of_one_node_that_suffer_alike_are_one_finding():
-    late = [edge("base_link", f"joint_{i}", delay_ms=900) for i in range(4)]
-    (finding,) = [f for f in diagnose_recording(recording(*HEALTHY, *late)).findings if f.code == "late-stamps"]
-    assert (finding.child, finding.siblings) == ("joint_0", ("joint_1", "joint_2", "joint_3"))
+@pytest.mark.parametrize(("delay_ms", "code"), [(900, "late-stamps"), (-300, "early-stamps")])
+@pytest.mark.parametrize("topics", [(), ("/joint_states",)])
+def test_edges_of_one_node_and_the_topic_with_their_stamps_are_one_finding(delay_ms, code, topics):
+    late = [edge("base_link", f"joint_{i}", delay_ms=delay_ms) for i in range(4)]
+    joints = [headers(topic, "sensor_msgs/msg/JointState", "", 100, 50, delay_ms) for topic in topics]
+    patient = replace(recording(*HEALTHY, *late), headers=tuple(joints))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.child) == (code, "joint_0")
+    assert finding.siblings == ("joint_1", "joint_2", "joint_3", *topics)
 
 
 def test_a_mount_that_the_urdf_calls_fixed_is_a_mount_whatever_its_name():
