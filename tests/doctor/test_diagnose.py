@@ -594,12 +594,25 @@ def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():
     )  # fmt: skip
 
 
-def test_what_one_computer_publishes_late_is_one_finding():
-    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 200, 25, 104)
-    late = [edge("odom", "base_link", delay_ms=105), edge("base_link", "wheel", 150, 30, delay_ms=103)]
-    patient = replace(recording(MAP, *late, LASER), headers=(imu,))
-    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
-    assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
+@pytest.mark.parametrize(
+    ("delay_ms", "sweep_ms", "code", "severity", "siblings"),
+    [
+        (103, 40, "host-late", "warning", ("wheel", "/imu")),  # the scan's own period explains its delay
+        (1400, 90, "host-late", "warning", ("wheel", "/imu", "/scan")),
+        (1400, 90, "host-late", "warning", ("/imu", "/scan")),
+        (-900, 90, "host-early", "warning", ("wheel", "/imu", "/scan")),
+        (-25_000, 90, "host-early", "error", ("wheel", "/imu", "/scan")),
+    ],
+)
+def test_what_one_computer_publishes_late_or_early_is_one_finding(delay_ms, sweep_ms, code, severity, siblings):
+    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 143, 35, delay_ms + 1)
+    scan = headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame", 50, 100, delay_ms + sweep_ms)
+    odom, wheel = edge("odom", "base_link", delay_ms=delay_ms + 2), edge("base_link", "wheel", 150, 30, delay_ms)
+    patient = recording(MAP, odom, LASER, *([wheel] if "wheel" in siblings else []))
+    findings = diagnose_recording(replace(patient, headers=(imu, scan))).of_severity("error", "warning")
+    (finding,) = [finding for finding in findings if finding.code != "late-start"]
+    assert (finding.code, finding.severity, finding.child) == (code, severity, "base_link")
+    assert finding.siblings == siblings
 
 
 STEPS = SECOND + 100 * MS * np.arange(50)

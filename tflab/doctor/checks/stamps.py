@@ -33,7 +33,7 @@ from tflab.text import Text
 from ..evidence import SAME_CLOCK_NS, Edge, Evidence, OtherSamples, is_stamped, part_of
 from ..findings import Finding, Severity
 from .clocks import settled_delays_s
-from .time_bases import CACHE_S, finding_of_sources, has_copied_stamps, in_groups
+from .time_bases import CACHE_S, LONGEST_WAIT_S, finding_of_sources, has_copied_stamps, in_groups
 
 __all__ = ["future_stamps", "odd_delays", "odd_message_delays", "repeated_stamps", "unordered_stamps",
            "unset_stamps"]  # fmt: skip
@@ -235,7 +235,7 @@ def _severity_of_delay(delay_s: float) -> tuple[Severity, Text | str]:
     if delay_s > CACHE_S:
         text = f" tf2 keeps {CACHE_S:.0f} s: no lookup combines it with the others."
         return "error", Text(text, f" tf2의 보관 시간은 {CACHE_S:.0f} s이므로 다른 변환과 함께 조회할 수 없습니다.")
-    if delay_s < -FUTURE_S:
+    if delay_s < -LONGEST_WAIT_S:
         return "error", Text(" No lookup waits so long.", " 조회가 이만큼 오래 기다리지는 않습니다.")
     return "warning", ""
 
