@@ -615,6 +615,23 @@ def test_what_one_computer_publishes_late_or_early_is_one_finding(delay_ms, swee
     assert finding.siblings == siblings
 
 
+@pytest.mark.parametrize(
+    ("has_edge", "topics", "severity"),
+    [(True, ("/image", "/info"), "error"), (True, (), "error"), (False, ("/image",), "warning"), (False, (), "")],
+)
+def test_topics_of_a_clock_that_was_set_back_are_named_with_its_edges(has_edge, topics, severity):
+    ahead = [r._replace(stamped=replace(r.stamped, stamp_ns=r.stamped.stamp_ns + 8 * SECOND)) for r in ODOM[:40]]
+    clean = [headers(topic, "sensor_msgs/msg/Imu", "base_link") for topic in ("/image", "/info", "/steady")]
+    set_back = [h._replace(stamp_ns=h.stamp_ns + np.where(np.arange(60) < 20, 8 * SECOND, 0))
+                if h.topic in topics else h for h in clean]  # fmt: skip
+    patient = recording(MAP, [*ahead, *ODOM[40:]] if has_edge else ODOM, edge("base_link", "arm"), LASER)
+    findings = diagnose_recording(replace(patient, headers=tuple(set_back))).of_severity("error", "warning")
+    assert [(f.code, f.severity) for f in findings] == ([("clock-jump-back", severity)] if severity else [])
+    for finding in findings:
+        assert finding.facts["edges"].en == ", ".join((*(["odom -> base_link"] if has_edge else []), *topics))
+        assert describe(finding).command == "chronyc tracking"
+
+
 STEPS = SECOND + 100 * MS * np.arange(50)
 COARSE = Clock(STEPS + WALL_MS * MS, STEPS - 80 * MS)
 SWEEPS = headers("/points", "sensor_msgs/msg/PointCloud2", "laser_frame", 50, 100, 110)
