@@ -141,13 +141,22 @@ def foreign_mcap(path, encoding):
     return copy
 
 
-def test_of_a_recording_in_several_files_those_that_are_there_are_read(tmp_path):
+@pytest.mark.parametrize(
+    ("named", "there", "code", "what"),
+    [
+        ("drive.mcap\n  - drive_1.mcap", "drive.mcap", "file-missing", "drive_1.mcap of drive is missing"),
+        ("drive.mcap", "lap.mcap", "file-renamed", "names drive.mcap, which is lap.mcap now"),
+        ("drive_1.mcap\n  - drive.mcap", "lap.mcap", "file-missing", "drive_1.mcap of drive is missing"),
+    ],
+)
+def test_of_a_recording_in_several_files_those_that_are_there_are_read(tmp_path, named, there, code, what):
     path = write_rosbag2(tmp_path / "drive", circle(9))
+    (path / "drive.mcap").rename(path / there)
     metadata = (path / "metadata.yaml").read_text()
-    (path / "metadata.yaml").write_text(metadata.replace("  - drive.mcap", "  - drive.mcap\n  - drive_1.mcap"))
+    (path / "metadata.yaml").write_text(metadata.replace("  - drive.mcap", f"  - {named}"))
     left = read_bag(path, salvage=True)
     assert len(left.transforms) == 10
-    assert left.unfinished.code == "file-missing" and "drive_1.mcap of drive is missing" in left.unfinished.what
+    assert left.unfinished.code == code and what in left.unfinished.what
 
 
 # -- what is no bag ----------------------------------------------------------

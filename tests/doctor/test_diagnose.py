@@ -385,10 +385,15 @@ def test_many_pieces_are_one_finding():
     assert [f.facts["count"] for f in trees] == [51]
 
 
-def test_edges_of_one_node_that_suffer_alike_are_one_finding():
-    late = [edge("base_link", f"joint_{i}", delay_ms=900) for i in range(4)]
-    (finding,) = [f for f in diagnose_recording(recording(*HEALTHY, *late)).findings if f.code == "late-stamps"]
-    assert (finding.child, finding.siblings) == ("joint_0", ("joint_1", "joint_2", "joint_3"))
+@pytest.mark.parametrize(("delay_ms", "code"), [(900, "late-stamps"), (-300, "early-stamps")])
+@pytest.mark.parametrize("topics", [(), ("/joint_states",)])
+def test_edges_of_one_node_and_the_topic_with_their_stamps_are_one_finding(delay_ms, code, topics):
+    late = [edge("base_link", f"joint_{i}", delay_ms=delay_ms) for i in range(4)]
+    joints = [headers(topic, "sensor_msgs/msg/JointState", "", 100, 50, delay_ms) for topic in topics]
+    patient = replace(recording(*HEALTHY, *late), headers=tuple(joints))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.child) == (code, "joint_0")
+    assert finding.siblings == ("joint_1", "joint_2", "joint_3", *topics)
 
 
 def test_a_mount_that_the_urdf_calls_fixed_is_a_mount_whatever_its_name():
@@ -546,11 +551,17 @@ def lidars(*options):
 
 WHOSE_CLOCK = {
     "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
+    "counted from power-on beside a simulation": (
+        SIMULATED,
+        lidars(WALL_MS - 9_000_000, 9_001_000),
+        "time-uptime",
+        "error",
+    ),
     "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
     "of another date, in most sources": (
         ON_THE_WALL[1:],
         lidars(-7_200_000, WALL_MS + 7_200_000),
-        "time-date",
+        "time-date-ahead",
         "error",
     ),
     "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
@@ -569,7 +580,11 @@ def test_topics_of_one_device_with_stamps(edges, sensors, code, severity):
     assert [(f.code, f.severity, f.topic, f.siblings) for f in findings] == [
         (code, severity, "/lidar/imu", ("/lidar/points",))
     ]
-    assert ("use_sim_time" in describe(findings[0]).cause) == (code in ("time-wall", "time-simulated"))
+    said = describe(findings[0])
+    assert ("use_sim_time" in said.cause) == (code in ("time-wall", "time-simulated"))
+    if code in ("time-date", "time-date-ahead", "time-uptime"):
+        is_ahead = np.mean(sensors[0].stamp_ns) > edges[-2][0].stamped.stamp_ns
+        assert ("ahead of the others" if is_ahead else "behind the others") in said.evidence
 
 
 def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():
@@ -579,12 +594,42 @@ def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():
     )  # fmt: skip
 
 
-def test_what_one_computer_publishes_late_is_one_finding():
-    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 200, 25, 104)
-    late = [edge("odom", "base_link", delay_ms=105), edge("base_link", "wheel", 150, 30, delay_ms=103)]
-    patient = replace(recording(MAP, *late, LASER), headers=(imu,))
-    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
-    assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
+@pytest.mark.parametrize(
+    ("delay_ms", "sweep_ms", "code", "severity", "siblings"),
+    [
+        (103, 40, "host-late", "warning", ("wheel", "/imu")),  # the scan's own period explains its delay
+        (1400, 90, "host-late", "warning", ("wheel", "/imu", "/scan")),
+        (1400, 90, "host-late", "warning", ("/imu", "/scan")),
+        (-900, 90, "host-early", "warning", ("wheel", "/imu", "/scan")),
+        (-25_000, 90, "host-early", "error", ("wheel", "/imu", "/scan")),
+    ],
+)
+def test_what_one_computer_publishes_late_or_early_is_one_finding(delay_ms, sweep_ms, code, severity, siblings):
+    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 143, 35, delay_ms + 1)
+    scan = headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame", 50, 100, delay_ms + sweep_ms)
+    odom, wheel = edge("odom", "base_link", delay_ms=delay_ms + 2), edge("base_link", "wheel", 150, 30, delay_ms)
+    patient = recording(MAP, odom, LASER, *([wheel] if "wheel" in siblings else []))
+    findings = diagnose_recording(replace(patient, headers=(imu, scan))).of_severity("error", "warning")
+    (finding,) = [finding for finding in findings if finding.code != "late-start"]
+    assert (finding.code, finding.severity, finding.child) == (code, severity, "base_link")
+    assert finding.siblings == siblings
+
+
+@pytest.mark.parametrize(
+    ("has_edge", "topics", "severity"),
+    [(True, ("/image", "/info"), "error"), (True, (), "error"), (False, ("/image",), "warning"), (False, (), "")],
+)
+def test_topics_of_a_clock_that_was_set_back_are_named_with_its_edges(has_edge, topics, severity):
+    ahead = [r._replace(stamped=replace(r.stamped, stamp_ns=r.stamped.stamp_ns + 8 * SECOND)) for r in ODOM[:40]]
+    clean = [headers(topic, "sensor_msgs/msg/Imu", "base_link") for topic in ("/image", "/info", "/steady")]
+    set_back = [h._replace(stamp_ns=h.stamp_ns + np.where(np.arange(60) < 20, 8 * SECOND, 0))
+                if h.topic in topics else h for h in clean]  # fmt: skip
+    patient = recording(MAP, [*ahead, *ODOM[40:]] if has_edge else ODOM, edge("base_link", "arm"), LASER)
+    findings = diagnose_recording(replace(patient, headers=tuple(set_back))).of_severity("error", "warning")
+    assert [(f.code, f.severity) for f in findings] == ([("clock-jump-back", severity)] if severity else [])
+    for finding in findings:
+        assert finding.facts["edges"].en == ", ".join((*(["odom -> base_link"] if has_edge else []), *topics))
+        assert describe(finding).command == "chronyc tracking"
 
 
 STEPS = SECOND + 100 * MS * np.arange(50)

@@ -15,10 +15,11 @@ what is there is read, if that is asked for.
 from __future__ import annotations
 
 import re
+import shlex
 import sqlite3
 import struct
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
@@ -33,6 +34,7 @@ __all__ = ["open_bag", "read_bag"]
 SUFFIXES = (".mcap", ".db3", ".bag")
 MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3", b"\x28\xb5\x2f\xfd": ".zstd"}
 STORAGES = {".mcap": "mcap", ".db3": "sqlite3"}
+SAME_BEGIN_NS = 10**9  # of a file that was renamed: a recorder may note when it began the file, or its first message
 SQLITE_HEADER = struct.Struct(">16xH10xI")  # size of a page, and how many there are
 REMEDIES = {
     ".mcap": "mcap recover {file} -o whole.mcap",
@@ -54,7 +56,7 @@ def read_bag(path: str | Path, show_progress: bool = True, salvage: bool = False
     path = Path(path).expanduser()
     files = _files_left_in(path) if salvage else []
     unfinished = _unfinished(path, "directory", "metadata.yaml does not tell of all of it", is_cut=False)
-    unfinished = (_missing_from(path) or unfinished) if files else None
+    unfinished = (_missing_from(path)[0] or unfinished) if files else None
     collector, begin_ns, end_ns = None, 2**63 - 1, 0
     for file in files or [path]:
         with _opened(file, salvage) as (reader, is_ros1, why):
@@ -111,30 +113,60 @@ def _files_left_in(path: Path) -> list[Path]:
     if not path.is_dir():
         return []
     files = [file for suffix in SUFFIXES for file in path.glob(f"*{suffix}")]
-    is_whole = not any(is_without_end(file, file.suffix) for file in files) and not _missing_from(path)
+    missing, renamed = _missing_from(path)
+    is_whole = not any(is_without_end(file, file.suffix) for file in files) and not missing
     if (path / "metadata.yaml").exists() and is_whole:
         return []
-    return sorted(files, key=lambda file: [int(word) if word.isdigit() else 0 for word in file.stem.split("_")[-1:]])
+    stems = {file: Path(renamed.get(file.name, file.name)).stem for file in files}
+    return sorted(files, key=lambda file: [int(word) if word.isdigit() else 0 for word in stems[file].split("_")[-1:]])
 
 
-def _missing_from(path: Path) -> Unfinished | None:
-    """Return which files metadata.yaml names that are not there, and which time they held; None if all are."""
+def _listed_in(path: Path) -> tuple[list[str], dict[str, tuple[int, int]]]:
+    """Return the files that metadata.yaml names, and when each, or the first, began and how long it lasted [ns]."""
     from ruamel.yaml import YAML, YAMLError  # rosbags brings it
 
     try:
         bag = YAML(typ="safe").load((path / "metadata.yaml").read_text("utf-8"))["rosbag2_bagfile_information"]
+        names = [Path(name).name for name in bag["relative_file_paths"]]
         held = {file["path"]: (file["starting_time"]["nanoseconds_since_epoch"], file["duration"]["nanoseconds"])
                 for file in bag.get("files", ())}  # fmt: skip
-        begin_ns = bag["starting_time"]["nanoseconds_since_epoch"]
-        gone = [name for name in map(Path, bag["relative_file_paths"]) if not (path / name.name).exists()]
+        return names, held or dict.fromkeys(names[:1], (bag["starting_time"]["nanoseconds_since_epoch"], 0))
     except (OSError, YAMLError, KeyError, TypeError, AttributeError):
-        return None  # rosbags gives the reason
-    names = []
+        return [], {}  # rosbags gives the reason
+
+
+def _missing_from(path: Path) -> tuple[Unfinished | None, dict[str, str]]:
+    """Return which files of metadata.yaml are not there, and the time they held; and the old names of renamed ones."""
+    names, held = _listed_in(path)
+    renamed = _renamed(path, names, held)
+    gone = [name for name in names if name not in renamed.values() and not (path / name).exists()]
+    if renamed and not gone:
+        moves = [shlex.join(["mv", f"{path.name}/{new}", f"{path.name}/{old}"]) for new, old in renamed.items()]
+        what = f"metadata.yaml of {path.name} names {', '.join(renamed.values())}, which is {', '.join(renamed)} now"
+        return Unfinished(what, " && ".join(moves), False, "file-renamed"), renamed
+    first_ns = min(begin_ns for begin_ns, _ in held.values()) if gone else 0
+    missing = []
     for name in gone:
-        first_s, long_s = ((held.get(name.name, (begin_ns, 0))[i] - (0 if i else begin_ns)) / 1e9 for i in (0, 1))
-        names.append(f"{name.name} ({first_s:.1f} s to {first_s + long_s:.1f} s)" if long_s else name.name)
-    what = f"{', '.join(names)} of {path.name} is missing"
-    return Unfinished(what, REMEDIES["directory"].format(file=path.name), True, "file-missing") if gone else None
+        begin_ns, long_ns = held.get(name, (first_ns, 0))
+        begin_s, end_s = (begin_ns - first_ns) / 1e9, (begin_ns - first_ns + long_ns) / 1e9
+        missing.append(f"{name} ({begin_s:.1f} s to {end_s:.1f} s)" if long_ns else name)
+    what = f"{', '.join(missing)} of {path.name} is missing"
+    remedy = REMEDIES["directory"].format(file=path.name)
+    return Unfinished(what, remedy, True, "file-missing") if gone else None, renamed
+
+
+def _renamed(path: Path, names: list[str], held: dict[str, tuple[int, int]]) -> dict[str, str]:
+    """Return the old names of files that metadata.yaml does not name, and that begin when missing ones did."""
+    gone = {name: begin_ns for name, (begin_ns, _) in held.items() if not (path / name).exists()}
+    renamed = {}
+    for file in sorted(path.iterdir()) if gone else ():
+        if file.suffix not in SUFFIXES or file.name in names:
+            continue
+        with suppress(BagError), open_bag(file) as (reader, _):
+            old = min(gone, key=lambda name: abs(gone[name] - reader.start_time))
+            if abs(gone[old] - reader.start_time) < SAME_BEGIN_NS:
+                renamed[file.name] = old
+    return renamed
 
 
 def _with_its_log(path: Path, log: Path, folder: Path) -> Path:

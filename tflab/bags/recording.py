@@ -124,7 +124,8 @@ class Unfinished(NamedTuple):
     """What is missing of a recording, which command repairs it, and whether messages may be missing.
 
     Attributes:
-        code: "unfinished" if its recorder was killed, "file-missing" if a file of several is gone.
+        code: "unfinished" if its recorder was killed, "file-missing" if a file of several is gone, "file-renamed"
+            if it has another name.
     """
 
     what: str

@@ -166,7 +166,8 @@ def _together(findings: list[Finding]) -> list[Finding]:
         key = (finding.code, finding.severity, finding.topic)
         first = firsts.get(key)
         if first is not None and _are_at_once(together[first], finding):
-            siblings = (*together[first].siblings, finding.child)
+            names = dict.fromkeys((*together[first].siblings, finding.child, *finding.siblings))
+            siblings = tuple(sorted(names, key=lambda name: name.startswith("/")))  # topics last
             effects = (*together[first].effects, *finding.effects)
             together[first] = replace(together[first], siblings=siblings, effects=effects)
             continue

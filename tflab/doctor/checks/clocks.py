@@ -22,13 +22,14 @@ from tflab.core import NSEC_PER_SEC
 from tflab.ros.snapshot import GraphSnapshot
 from tflab.text import Text
 
-from ..evidence import Edge, Evidence, Jump, is_stamped
-from ..findings import Finding, times_of
+from ..evidence import Edge, Evidence, Jump, find_jumps, is_stamped
+from ..findings import Finding, first_of, times_of
 from .time_bases import has_copied_stamps, in_groups
 
 __all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "mixed_time_sources",
            "other_time_source", "settled_delays_s"]  # fmt: skip
 
+MOST_NAMES = 6
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
 FEWEST_SAMPLES = 8
@@ -44,38 +45,40 @@ class JumpEvent(NamedTuple):
         moment_ns: of receipt [ns].
         size_s: negative if back.
         edges: with the sample from which on each has the new time.
+        topics: whose stamps jumped with them.
     """
 
     moment_ns: int
     size_s: float
     edges: tuple[tuple[Edge, int], ...]
+    topics: tuple[str, ...]
 
 
-def jump_events(evidence: Evidence) -> list[JumpEvent]:
-    """Return each moment at which a clock was set.
+def jump_events(evidence: Evidence, headers: tuple[Headers, ...] = ()) -> list[JumpEvent]:
+    """Return each moment at which the clock of edges, and of topics if they are given, was set.
 
-    One edge alone that leaps ahead is not among them: it may as well have begun to
-    stamp ahead, and that is told as such (see stamps.odd_delays).
+    An edge that leaps ahead alone is not among them: it may have begun to stamp ahead (see stamps.odd_delays).
     """
-    jumps = sorted(
-        ((int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in edge.jumps),
-        key=lambda entry: entry[0],
-    )
-    groups: list[list[tuple[int, Edge, Jump]]] = []
-    for entry in jumps:
-        if groups and entry[0] - groups[-1][0][0] < TOGETHER_NS and _same_way(entry[2], groups[-1][0][2]):
-            groups[-1].append(entry)
-        else:
-            groups.append([entry])
+    jumps = [(int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in edge.jumps]
+    for header in filter(_has_stamps, headers):
+        found = find_jumps(header.stamp_ns, header.receive_ns, int(np.median(np.diff(header.receive_ns))))
+        jumps += [(int(header.receive_ns[jump.index]), header, jump) for jump in found]
     events = [
         JumpEvent(
             group[0][0],
             float(np.median([jump.size_s for *_, jump in group])),
-            tuple((edge, jump.index) for _, edge, jump in group),
+            tuple((source, jump.index) for _, source, jump in group if isinstance(source, Edge)),
+            tuple(source.topic for _, source, _ in group if isinstance(source, Headers)),
         )
-        for group in groups
+        for group in in_groups(sorted(jumps, key=lambda entry: entry[0]), _are_together)
     ]
     return [event for event in events if event.size_s < 0 or len(event.edges) > 1]
+
+
+def _are_together(a: tuple[int, Edge | Headers, Jump], b: tuple[int, Edge | Headers, Jump]) -> bool:
+    """Return whether a source jumped as another did: its last sample before may be as old as its period."""
+    is_same = abs(a[2].size_s - b[2].size_s) < 0.2 * max(abs(a[2].size_s), abs(b[2].size_s)) + 0.05
+    return bool(is_same and b[1].receive_ns[b[2].index - 1] - a[0] < TOGETHER_NS)
 
 
 def settled_delays_s(evidence: Evidence) -> list[np.ndarray]:
@@ -91,20 +94,23 @@ def settled_delays_s(evidence: Evidence) -> list[np.ndarray]:
 
 
 def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for the edges whose clock was set together, back or forward; a loop sets it again and again."""
-    alike: dict[tuple[bool, str], list[JumpEvent]] = {}
-    for event in jump_events(evidence):
+    """Yield a finding for what had its clock set together, back or forward; a loop sets it again and again."""
+    alike: dict[tuple, list[JumpEvent]] = {}
+    for event in jump_events(evidence, tuple(header for header in evidence.headers if any(header.frames))):
         names = sorted({f"{edge.usual_parent} -> {edge.child}" for edge, _ in event.edges})
-        alike.setdefault((event.size_s < 0, ", ".join(names)), []).append(event)
-    for (is_back, names), events in alike.items():
+        alike.setdefault((event.size_s < 0, *names), []).append(event)
+    for (is_back, *names), events in alike.items():
+        topics = sorted({topic for event in events for topic in event.topics})
         largest_s = max(abs(event.size_s) for event in events)
-        facts = {"size": f"{largest_s:.3f}", "edges": names, "times": times_of(len(events))}
-        edges = {edge.child: edge for edge, _ in events[0].edges}
-        edge = next(iter(edges.values()))
-        parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 else ("", "")
-        code, severity = ("clock-jump-back", "error") if is_back else ("clock-jump-forward", "warning")
-        span = (events[0].moment_ns, events[-1].moment_ns)
-        yield Finding(code, severity, parent, child, edge.topic, *span, facts)
+        facts = {"size": f"{largest_s:.3f}", "times": times_of(len(events)),
+                 "edges": first_of([*names, *topics], MOST_NAMES)}  # fmt: skip
+        facts |= {"remedy": "chronyc tracking"} if evidence.clock.source == "same" else {}  # nothing is simulated
+        code, severity = (
+            ("clock-jump-back", "error" if names else "warning") if is_back else ("clock-jump-forward", "warning")
+        )
+        topic = next(iter((*(edge.topic for edge, _ in events[0].edges), *topics)))
+        parent, child = names[0].split(" -> ", 1) if len(names) == 1 else ("", "")
+        yield Finding(code, severity, parent, child, topic, events[0].moment_ns, events[-1].moment_ns, facts)
 
 
 def other_time_source(evidence: Evidence) -> Iterator[Finding]:
@@ -151,10 +157,6 @@ def _is_sweep(settled: tuple[Edge | Headers, np.ndarray]) -> bool:
     source, delay_s = settled
     period_s = float(np.median(np.diff(source.receive_ns))) / NSEC_PER_SEC
     return isinstance(source, Headers) and bool(SWEPT.search(source.msgtype)) and np.median(delay_s) < period_s + 0.05
-
-
-def _same_way(a: Jump, b: Jump) -> bool:
-    return abs(a.size_s - b.size_s) < 0.2 * max(abs(a.size_s), abs(b.size_s)) + 0.05
 
 
 TRANSFORM_TOPICS = ("/tf", "/tf_static")

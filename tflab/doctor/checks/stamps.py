@@ -22,6 +22,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -32,7 +33,7 @@ from tflab.text import Text
 from ..evidence import SAME_CLOCK_NS, Edge, Evidence, OtherSamples, is_stamped, part_of
 from ..findings import Finding, Severity
 from .clocks import settled_delays_s
-from .time_bases import CACHE_S, finding_of_sources, in_groups
+from .time_bases import CACHE_S, LONGEST_WAIT_S, finding_of_sources, has_copied_stamps, in_groups
 
 __all__ = ["future_stamps", "odd_delays", "odd_message_delays", "repeated_stamps", "unordered_stamps",
            "unset_stamps"]  # fmt: skip
@@ -192,7 +193,15 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
             else:
                 code = "time-tai" if _is_tai(odd_s) else code
                 severity, facts["never"] = _severity_of_delay(odd_s)
-                yield _finding(edge, code, severity, int(odd[0]), int(odd[-1]), facts)
+                finding = _finding(edge, code, severity, int(odd[0]), int(odd[-1]), facts)
+                yield replace(finding, siblings=_topics_of_one_node(evidence, edge, odd_s))
+
+
+def _topics_of_one_node(evidence: Evidence, edge: Edge, odd_s: float) -> tuple[str, ...]:
+    """Return the topics with the stamps of an edge that are about as late, or early, as it is [s]."""
+    usual_s = [_usual_delay_s(header, evidence.delay_s(header)) for header in evidence.headers]
+    alike = [h for h, s in zip(evidence.headers, usual_s, strict=True) if abs(s - odd_s) < 0.5 * abs(odd_s)]
+    return tuple(header.topic for header in alike if has_copied_stamps(edge, header))
 
 
 def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
@@ -226,7 +235,7 @@ def _severity_of_delay(delay_s: float) -> tuple[Severity, Text | str]:
     if delay_s > CACHE_S:
         text = f" tf2 keeps {CACHE_S:.0f} s: no lookup combines it with the others."
         return "error", Text(text, f" tf2의 보관 시간은 {CACHE_S:.0f} s이므로 다른 변환과 함께 조회할 수 없습니다.")
-    if delay_s < -FUTURE_S:
+    if delay_s < -LONGEST_WAIT_S:
         return "error", Text(" No lookup waits so long.", " 조회가 이만큼 오래 기다리지는 않습니다.")
     return "warning", ""
 

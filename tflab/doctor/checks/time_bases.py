@@ -18,16 +18,18 @@ import numpy as np
 
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, OtherSamples, is_stamped
 from ..findings import Finding, Severity
 from .names import SPATIAL
 
-__all__ = ["CACHE_S", "drifting_clocks", "finding_of_sources", "has_copied_stamps", "in_groups",
+__all__ = ["CACHE_S", "LONGEST_WAIT_S", "drifting_clocks", "finding_of_sources", "has_copied_stamps", "in_groups",
            "other_hosts", "other_times"]  # fmt: skip
 
 FEWEST_SAMPLES = 8
 CACHE_S = 10.0  # what tf2 keeps as a rule: what is further behind can never be looked up
+LONGEST_WAIT_S = 5.0  # of a lookup, for what is ahead
 UNSET_NS = 60 * NSEC_PER_SEC  # a time that was not set, and at most a tolerance
 SAME_PACE = 0.02  # from one second a second: a simulation is seldom so close to it, a device always is
 ONE_CLOCK_S = 1.0  # offsets of many years this close to each other are one clock
@@ -35,7 +37,8 @@ SENSOR = re.compile(r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|J
 PROMPT = re.compile(r"Imu|JointState|Odometry|NavSatFix")  # sent as soon as it is measured
 MANY = 5_000  # samples tell enough
 HOST_S = 0.08  # that a host is behind or ahead
-HOST_SPREAD_S = 0.01  # of the least delays of one host
+HOST_SPREAD_S, HOST_SHARE = 0.01, 0.02  # of the least delays of one host, and their share of a large offset
+FAR_HOST_S = 0.5  # from which on scans and images are witnesses, too: no processing of theirs takes as long
 FEWEST_ON_A_HOST = 3
 BIN_S = 10.0
 FEWEST_BINS = 6
@@ -55,31 +58,54 @@ def other_times(evidence: Evidence) -> Iterator[Finding]:
 
     for group in in_groups(separated, is_one_clock):
         parts = [samples for _, samples in group]
+        usual_s = _usual_s(evidence, parts[0].source)
         facts = {
             "count": sum(len(part.source.stamp_ns) for part in parts),
             "total": sum(part.total for part in parts),
-            "away": f"{abs(_usual_s(evidence, parts[0].source)):.0f}",
+            "away": f"{abs(usual_s):.0f}",
+            "way": Text("behind", "과거") if usual_s > 0.0 else Text("ahead of", "미래"),
             "stamp": f"{parts[0].source.stamp_ns[0] / NSEC_PER_SEC:.1f}",
         }
-        yield finding_of_sources(group[0][0], _severity_of(parts), [part.source for part in parts], facts)
+        code = "time-date-ahead" if group[0][0] == "time-date" and usual_s < 0.0 else group[0][0]
+        yield finding_of_sources(code, _severity_of(parts), [part.source for part in parts], facts)
 
 
 def other_hosts(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each computer of which everything is late, or early, by one offset, unlike the others."""
-    least_s = [(float(np.percentile(evidence.delay_s(source), 5)), source) for source in _dated_sources(evidence)]
-    prompt = [(offset_s, s) for offset_s, s in least_s if isinstance(s, Edge) or PROMPT.search(s.msgtype)]
-    prompt.sort(key=lambda entry: entry[0])
-    for entries in in_groups(prompt, lambda a, b: b[0] - a[0] < HOST_SPREAD_S):
+    shares = [(np.percentile(evidence.delay_s(source), (5, 90)), source) for source in _dated_sources(evidence)]
+    # what was ahead for a while only had its clock set, see jumping_clocks
+    least_s = [(float(max(least, min(2.0 * most, 0.0))), source) for (least, most), source in shares]
+    prompt = sorted((entry for entry in least_s if _is_prompt(entry[1])), key=lambda entry: entry[0])
+    nearest_s = min((abs(delay_s) for delay_s, _ in least_s), default=0.0)
+    for entries in in_groups(prompt, lambda a, b: b[0] - a[0] < max(HOST_SPREAD_S, HOST_SHARE * abs(a[0]))):
         offset_s, group = entries[0][0], [source for _, source in entries]
-        has_nearer = any(abs(other_s) < 0.5 * abs(offset_s) for other_s, _ in least_s)
-        if abs(offset_s) < max(HOST_S, evidence.clock.resolution_s) or not has_nearer or len(group) < FEWEST_ON_A_HOST:
+        if abs(offset_s) <= max(HOST_S, evidence.clock.resolution_s, 2.0 * nearest_s):
             continue
-        if len(in_groups(group, has_copied_stamps)) > 1:
+        sweeps = [source for delay_s, source in least_s if _is_sweep_of_host(source, delay_s, offset_s)]
+        if _are_witnesses(group, sweeps, offset_s):
+            group += sweeps
             # edges with children of their own come first, and topics last
             group.sort(key=lambda s: s.child not in evidence.all_parents if isinstance(s, Edge) else 2)
             code = "host-late" if offset_s > 0.0 else "host-early"
-            severity = "error" if offset_s > CACHE_S else "warning"
+            severity = "warning" if -LONGEST_WAIT_S <= offset_s <= CACHE_S else "error"
             yield finding_of_sources(code, severity, group, {"offset": f"{abs(offset_s):.3f}", "count": len(group)})
+
+
+def _are_witnesses(prompt: list[Edge | Headers], sweeps: list[Edge | Headers], offset_s: float) -> bool:
+    """Return whether sources are enough for one host, and not all copies of one."""
+    sources = prompt + sweeps if abs(offset_s) > FAR_HOST_S else prompt
+    return len(sources) >= FEWEST_ON_A_HOST and len(in_groups(sources, has_copied_stamps)) > 1
+
+
+def _is_prompt(source: Edge | Headers) -> bool:
+    return isinstance(source, Edge) or bool(PROMPT.search(source.msgtype))
+
+
+def _is_sweep_of_host(source: Edge | Headers, least_s: float, offset_s: float) -> bool:
+    """Return whether the delay of a scan or an image needs both: the offset of a host, and at most its own period."""
+    period_s = float(np.median(np.diff(source.receive_ns))) / NSEC_PER_SEC
+    is_explained = _is_prompt(source) or 0.0 <= least_s <= period_s + HOST_S
+    return not is_explained and -HOST_SPREAD_S < least_s - offset_s < period_s + HOST_SPREAD_S
 
 
 def drifting_clocks(evidence: Evidence) -> Iterator[Finding]:

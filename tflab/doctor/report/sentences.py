@@ -107,6 +107,7 @@ def _command_of(finding: Finding, description: Description, blanks: Mapping[str,
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
     # a frame stands in quotes of its own, and a remedy is a command already
     form = description.ros1 if finding.is_ros1 and description.ros1 else description.command
+    form = "{remedy}" if "remedy" in finding.facts else form
     command = form.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
     if distro.current().record_takes_names:
         return command
