@@ -247,7 +247,7 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
     def _publish_log(
         self, stamp_ns: int, severity: int, name: str, message: str, file: str, function: str, line: int
     ) -> None:
-        if self._rosout is not None:
+        if self._rosout is not None and self.context.ok():
             stamp = Time(nanoseconds=max(0, stamp_ns), clock_type=ClockType.ROS_TIME).to_msg()
             log = rcl_interfaces.Log(
                 stamp=stamp, level=int(severity), name=name, msg=message, file=file, function=function, line=line

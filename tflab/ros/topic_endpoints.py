@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from .entity import Entity, Kind
-from .exceptions import InvalidHandle
+from .exceptions import InvalidHandle, RCLError
 from .messages import copy_message, tf2_msgs
 from .messages.values import deserialize_message, serialize_message
 from .network import PUBLISHER_KIND, SUBSCRIPTION_KIND, Envelope
@@ -57,9 +57,12 @@ class Publisher:
         Raises:
             TypeError: not a message of the topic's type.
             AssertionError: a field holds what cannot be sent.
+            RCLError: its context has ended, as after Ctrl-C.
         """
         if self._is_destroyed:
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
+        if not self.node.context.ok():
+            raise RCLError("Failed to publish: publisher's context is invalid, at ./src/rcl/publisher.c:389")
         if isinstance(msg, bytes):
             msg = deserialize_message(msg, self.msg_type)
         if not isinstance(msg, self.msg_type):
