@@ -304,6 +304,8 @@ class Executor:
             finally:
                 self._driver.leave_callback()
             if not task.done():
+                if task.may_go_on:
+                    self.wake()
                 return
             with self._lock:
                 self._tasks = [each for each in self._tasks if each[0] is not task]

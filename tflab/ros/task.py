@@ -15,6 +15,9 @@ __all__ = ["Future", "Task"]
 _executors_with_waiting_tasks: weakref.WeakSet = weakref.WeakSet()
 
 
+_step = threading.local()  # waits: whether the present step of a coroutine ended at a future
+
+
 class Future:
     """A result that may not be there yet.
 
@@ -37,6 +40,7 @@ class Future:
 
     def __await__(self) -> Generator[None, None, Any]:
         while self._state == "pending":
+            _step.waits = True
             yield
         return self.result()
 
@@ -149,7 +153,10 @@ class Task(Future):
     def _step(self) -> None:
         try:
             if inspect.iscoroutine(self._handler):
+                _step.waits = False
                 self._handler.send(None)
+                if not _step.waits:  # it only gave way, as at asyncio.sleep(0)
+                    self.may_go_on = True
             else:
                 self.set_result(self._handler(*self._args, **self._kwargs))
         except StopIteration as end:
