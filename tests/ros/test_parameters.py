@@ -2,6 +2,7 @@
 
 import pytest
 
+from tflab.ros.arguments import _concerns
 from tflab.ros.client_library import create_node, init, shutdown
 from tflab.ros.exceptions import (
     InvalidParameterTypeException,
@@ -166,6 +167,21 @@ def test_parameters_come_from_the_command_line_and_a_file_by_node_name_and_wildc
     assert node.declare_parameter("pid.p", 0.0).value == 2.5
     assert node.declare_parameter("rate", 20.0).value == 5.0
     assert node.declare_parameter("name", "none").value == "left"
+
+
+@pytest.mark.parametrize(
+    ("pattern", "concerned"),
+    [
+        ("/**", {"/n", "/a/n", "/a/b/n"}),
+        ("/*", {"/n"}),
+        ("/a/*", {"/a/n"}),
+        ("/a/**", {"/a/n", "/a/b/n"}),
+        ("/**/n", {"/n", "/a/n", "/a/b/n"}),
+        ("/a/n", {"/a/n"}),
+    ],
+)
+def test_a_star_in_a_parameter_file_is_one_name_and_two_are_any_number(pattern, concerned):
+    assert {name for name in ("/n", "/a/n", "/a/b/n") if _concerns(pattern, name)} == concerned
 
 
 def test_below_a_prefix_parameters_are_listed_by_the_rest_of_their_names():

@@ -5,9 +5,9 @@ node.py --ros-args -r __node:=robot1 -r /tf:=/robot1/tf -p use_sim_time:=true --
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
-from fnmatch import fnmatchcase
 from typing import TextIO
 
 from .exceptions import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
@@ -166,7 +166,6 @@ def _leaves(prefix: str, mapping: dict) -> Iterable[tuple[str, object]]:
 
 
 def _concerns(pattern: str, full_name: str) -> bool:
-    """Return whether a pattern such as /**, /ns/* or /ns/node means this node."""
-    if pattern.startswith("/**/"):  # also zero namespaces
-        return fnmatchcase(full_name, pattern.replace("**", "*")) or fnmatchcase(full_name, pattern[3:])
-    return fnmatchcase(full_name, pattern.replace("**", "*"))
+    """Return whether a pattern such as /**, /ns/* or /ns/node means this node: * is one name, ** any number of them."""
+    expression = re.sub(r"/\*\*?", lambda star: r"(/\w+)*" if star[0] == "/**" else r"/\w+", pattern)
+    return re.fullmatch(expression, full_name) is not None
