@@ -88,6 +88,11 @@ def test_nodes_and_topics_are_remapped_from_the_command_line(graph):
             InvalidServiceNameException,
             "Invalid service name: topic name must not end with a forward slash:\n  'frames/'\n         ^",
         ),
+        (
+            lambda node: node.create_publisher(String, "arm/{side}", 1),
+            ValueError,
+            "topic name 'arm/{side}' is invalid: unknown substitution: {side}",
+        ),
     ],
 )
 def test_an_invalid_name_is_refused_with_a_caret_under_the_character(node, make, error, text):

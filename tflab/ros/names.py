@@ -125,8 +125,14 @@ def expand_topic_name(name: str, node_name: str, namespace: str) -> str:
 
 
 def expanded(name: str, node_name: str, namespace: str) -> str:
-    """Return what expand_topic_name does, of names that were found good before."""
+    """Return what expand_topic_name does, of names that were found good before.
+
+    Raises:
+        ValueError: the name has a substitution that is not known.
+    """
     name = name.replace("{node}", node_name).replace("{ns}", namespace).replace("{namespace}", namespace)
+    if unknown := re.search(r"\{\w*\}", name):
+        raise ValueError(f"topic name '{name}' is invalid: unknown substitution: {unknown[0]}")
     if name.startswith("~"):
         return full_node_name(node_name, namespace) + name[1:]
     if name.startswith("/"):
