@@ -1,5 +1,6 @@
 """Executors, callback groups, timers and futures, on virtual time."""
 
+import asyncio
 import time
 
 import pytest
@@ -128,6 +129,14 @@ def test_an_exception_in_a_callback_comes_out_of_spin_whatever_the_thread(node, 
     graph.run(seconds=2)
     assert isinstance(participant.exception, ZeroDivisionError)
     capsys.readouterr()
+
+
+def test_after_ctrl_c_nothing_can_be_published(node):
+    publisher = node.create_publisher(String, "chatter", 1)
+    rclpy.get_default_context().signalled()
+    node.get_logger().info("a log line is written all the same")
+    with pytest.raises(RCLError, match="Failed to publish: publisher's context is invalid, at "):
+        publisher.publish(String())
 
 
 def test_init_works_again_after_shutdown_which_ends_spin(node):
@@ -310,6 +319,18 @@ def test_a_coroutine_callback_is_carried_on_when_its_future_is_done(node):
     for _ in range(4):
         rclpy.spin_once(node, timeout_sec=0.5)
     assert done[0] == "here"
+
+
+def test_a_coroutine_that_gives_way_without_a_future_goes_on_in_the_next_round(node, graph):
+    done = []
+
+    async def on_timer():
+        await asyncio.sleep(0)
+        done.append(graph.now_ns)
+
+    node.create_timer(0.5, on_timer)
+    rclpy.spin_until_future_complete(node, Future(), timeout_sec=1.2)
+    assert done == [seconds(1.5), seconds(2.0)]
 
 
 # -- services -------------------------------------------------------------------------

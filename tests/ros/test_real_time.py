@@ -133,6 +133,13 @@ def test_ctrl_c_ends_the_others_after_a_file_with_a_handler_of_its_own_has_ended
     assert capfd.readouterr() == ("", "")
 
 
+def test_the_exit_status_is_that_of_the_files(tmp_path):
+    for name, code in {"good": "0", "usage": "2", "text": "'wrong'"}.items():
+        (tmp_path / f"{name}.py").write_text(f"import sys\nsys.exit({code})\n")
+    good, usage, text = (str(tmp_path / f"{name}.py") for name in ("good", "usage", "text"))
+    assert [run_files(files) for files in ([good], [good, usage], [text])] == [0, 2, 1]
+
+
 def test_the_report_of_a_participant_or_a_thread_is_written_in_one_piece(tmp_path, monkeypatch):
     pieces = []
     monkeypatch.setattr(sys, "stderr", SimpleNamespace(write=pieces.append, flush=lambda: None))

@@ -86,7 +86,7 @@ def run_files(
         while supervisor.is_alive():
             with contextlib.suppress(KeyboardInterrupt):  # meant for a file that has just ended
                 supervisor.join()
-    return int(any(_has_failed(each) for each in graph.participants))
+    return max((_status(each) for each in graph.participants), default=0)
 
 
 def _supervise(graph: Graph, waited: Sequence[Participant], seconds: float | None, pressed: list[int]) -> None:
@@ -266,5 +266,9 @@ def _interrupt(participants: Sequence[Participant], pressed: list[int]) -> None:
             write_line(f'participant "{each.name}" went on after it was interrupted, at {place_of(each.main_thread)}.')
 
 
-def _has_failed(participant: Participant) -> bool:
-    return participant.is_running or not isinstance(participant.exception, (KeyboardInterrupt, type(None)))
+def _status(participant: Participant) -> int:
+    """Return the exit status of a file: that of its sys.exit(), 1 for another exception or if it never ended."""
+    end = participant.exception
+    if isinstance(end, SystemExit) and isinstance(end.code, int):
+        return end.code
+    return int(participant.is_running or not isinstance(end, (KeyboardInterrupt, type(None))))
