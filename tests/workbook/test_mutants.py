@@ -14,7 +14,7 @@ from .blind import answers_by_place, blind_survivors
 from .each_task import READS, each_task, solution_of, task_in
 from .mutants import mutants_of, survivors
 
-MOST = 20  # answers to a task, while nothing is proved anew
+MOST = 20  # mutants of a task, while nothing is proved anew
 CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
@@ -37,7 +37,7 @@ def test_no_mutant_passes_cases_of_another_seed(stem, file, sample):
 
 @pytest.mark.proof(reads=READS)
 @each_task
-def test_no_blind_answer_passes_cases_of_another_seed(stem, file, sample):
+def test_no_blind_answer_passes_cases_of_another_seed(stem, file):
     task = task_in(stem, file)
     if task.inputs is None and (task.given is None or task.kind != "N"):
         return  # a choice may be the same for all
@@ -47,5 +47,5 @@ def test_no_blind_answer_passes_cases_of_another_seed(stem, file, sample):
             passed = answers_by_place(task, [({"dict": each.given}, each.cases[0].expected) for each in made])
         else:
             right = solution_of(stem).answer(task, None)
-            passed = blind_survivors(task, right, made[0].cases, lambda changes: sample(changes, MOST))
+            passed = blind_survivors(task, right, made[0].cases)
     assert set(passed) <= set(task.equivalent)
