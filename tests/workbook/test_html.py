@@ -74,7 +74,9 @@ def test_a_link_leads_to_what_is_written_too_and_others_are_words(tmp_path: Path
 
 def executed(folder: Path, *outputs: dict) -> Path:
     """Write a notebook that was run."""
-    prose = nbformat.v4.new_markdown_cell("# A title\n\n## Part\n\n[on](02_next.ipynb)", id="prose")
+    prose = nbformat.v4.new_markdown_cell(
+        "# A title\n\n## Part\n\n[on](02_next.ipynb) ![mine](../assets/mine.png)", id="prose"
+    )
     shown = [nbformat.v4.new_output("display_data", data) for data in outputs]
     cell = nbformat.v4.new_code_cell("1 + 1", outputs=shown, execution_count=1, id="a")
     nbformat.write(nbformat.v4.new_notebook(cells=[prose, cell]), folder / "page.ipynb")
@@ -89,10 +91,11 @@ def test_export_writes_a_page_in_the_frame_of_the_book_and_prints_where(tmp_path
     page = Path("html/page.html").read_text(encoding="utf-8")
     assert 'href="#Part"' in page and "book-theme" in page  # its sections, and a dark theme
     assert "02_next" not in page and "index.html" not in page  # no link to what is not there
+    assert '"../assets/mine.png"' in page  # a picture of the reader's own
     for asset in re.findall(r'(?:src|href)="(assets/[^"]+)"', page):
         assert Path("html", asset).is_file()
     assert main(["page.ipynb", "--out", "mail", "--single-file"]) == 0
-    assert not re.search(r'(?:src|href)="[./]*assets/', Path("mail/page.html").read_text(encoding="utf-8"))
+    assert not re.search(r'(?:src|href)="assets/', Path("mail/page.html").read_text(encoding="utf-8"))
 
 
 @pytest.mark.parametrize("text", ["hi", "[1, 2]", '{"nbformat": 4}', "\udc80"])

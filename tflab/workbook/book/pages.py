@@ -62,8 +62,8 @@ class BookPage:
     is_chapter: bool = True
 
 
-def framed(page: BookPage, book: Sequence[BookPage], language: str) -> str:
-    """Return a page with its frame."""
+def framed(page: BookPage, book: Sequence[BookPage], language: str, assets: str = "../assets") -> str:
+    """Return a page with its frame; `assets` is the path from the page to the folder of style and script."""
     (other,) = (code for code in LANGUAGES if code != language)
     chapters = [each for each in book if each.is_chapter]
     at = chapters.index(page) if page in chapters else len(book) + 1
@@ -71,6 +71,7 @@ def framed(page: BookPage, book: Sequence[BookPage], language: str) -> str:
         "page": page,
         "book": book,
         "language": language,
+        "assets": assets,
         "other": (other, NAMES[other]),
         "previous": chapters[at - 1] if 0 < at < len(chapters) else None,
         "next": chapters[at + 1] if at + 1 < len(chapters) else None,

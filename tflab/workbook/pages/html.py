@@ -131,13 +131,13 @@ def _write_page(notebook: Path, out_dir: Path, beside: Set[str] = frozenset(), *
     there = beside | {page.stem for page in out_dir.glob("*.html")}
     text = LINK.sub(lambda link: _linked(link, there), path.read_text(encoding="utf-8"))
     page = BookPage(path.name, page_title(executed) or path.stem, text, sections_of(text), is_chapter=False)
-    text = framed(page, [page], page_language(executed))
+    text = framed(page, [page], page_language(executed), assets="assets")
     for name in ("book.css", "book.js"):
         if single_file:
             text = _with_file_inside(text, STATIC / name)
         else:
             shutil.copyfile(STATIC / name, out_dir / "assets" / name)
-    path.write_text(text.replace('"../assets/', '"assets/'), encoding="utf-8")
+    path.write_text(text, encoding="utf-8")
     return path
 
 
@@ -145,7 +145,7 @@ def _with_file_inside(page: str, path: Path) -> str:
     """Return a page with a style or script of the book in the place of the link to it."""
     content = path.read_text(encoding="utf-8")
     if path.suffix == ".css":
-        return page.replace(f'<link rel="stylesheet" href="../assets/{path.name}">', f"<style>{content}</style>")
+        return page.replace(f'<link rel="stylesheet" href="assets/{path.name}">', f"<style>{content}</style>")
     tag = re.search(rf'<script defer src="[^"]*{path.name}"([^>]*)></script>', page)
     page = page.replace(tag[0], "")
     before, end, rest = page.rpartition("</body>")

@@ -44,8 +44,8 @@
 
   // -- search, where there is more than one page
   const escaped = (text) => text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
-  if (own.index) searchable();
-  function searchable() {
+  if (own.index) enableSearch();
+  function enableSearch() {
     const input = byClass("book-search").querySelector("input"), found = byClass("book-found");
     let loading;
     const load = () => loading ??= new Promise((done) => {
