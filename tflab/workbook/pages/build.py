@@ -70,7 +70,7 @@ async def make_page(path: Path) -> PageFiles:
 
 async def _translated(page: Page, outputs: Outputs) -> tuple[Outputs, list[PageFault]]:
     """Run a page as a Korean reader does, if a cell prints in the reader's language; return what such cells store."""
-    marked = {cell.name for cell in page.code if "translated" in cell.tags}
+    marked = {cell.name for cell in page.code if "translated" in cell.tags and cell.name in outputs}
     if not marked:
         return {}, []
     language = LANGUAGES[1]
