@@ -83,7 +83,7 @@ def test_depends_come_from_imports_and_an_edge_keeps_one_owner(hop, node, urdf, 
     ("words", "source", "error"),
     [
         (["hop"], "x = 1", "has no node: a Python file with a function main()"),
-        (["none"], MAIN, "none is no folder"),
+        (["none"], MAIN, "there is no folder none"),
         (["hop", "--name", "Hop"], MAIN, 'cannot have the name "Hop"'),
         (["hop", "--name", "rclpy"], MAIN, 'cannot have the name "rclpy"'),
         (

@@ -69,16 +69,12 @@ def main(words: Sequence[str]) -> int:
     target = Path(options.ws, "src", name)
     try:
         _check_place(name, options.folder, folder, target)
+        if not options.files and not folder.is_dir():
+            raise PackageError(f"there is no folder {options.folder}")
         modules = _modules(folder, [*map(Path, options.files)])
         nodes = [path.stem for path, tree in modules.items() if _is_node(path, tree)]
         if not nodes:
-            is_there = folder.is_dir() or options.files
-            wrong = (
-                "has no node: a Python file with a function main()"
-                if is_there
-                else "is no folder, and no file is named"
-            )
-            raise PackageError(f"{options.folder} {wrong}")
+            raise PackageError(f"{options.folder} has no node: a Python file with a function main()")
         texts = _package(name, folder, modules, nodes)
         _write(target, texts)
     except (PackageError, UrdfError) as fault:
